@@ -1,0 +1,1 @@
+# permgen_effect(): to come

@@ -1,0 +1,122 @@
+// Records a plan into the caller's command buffer. Makes no decisions: plan() made them.
+//
+// The caller owns instance, device, queues, memory of its own images, synchronization between frames and
+// the pipeline cache. The device needs Vulkan 1.3 with dynamicRendering and synchronization2, the feature
+// shaderClipDistance and the extension VK_KHR_push_descriptor. Nothing here is thread-safe by itself; use
+// one Renderer a thread or lock around it.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include <vulkan/vulkan_core.h>
+
+#include <tyndall/plan.h>
+#include <tyndall/result.h>
+
+namespace tyndall {
+
+struct DeviceContext {
+    VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;  ///< may be null
+};
+
+VkFormat accumulationFormat(Accumulation accumulation);
+
+/// The textures of one light. Views that its technique does not read may be null; they are not bound.
+/// Layout at recording: SHADER_READ_ONLY_OPTIMAL.
+struct LightTextures {
+    VkImageView cookie = VK_NULL_HANDLE;     ///< linear colour
+    VkImageView noise = VK_NULL_HANDLE;      ///< red and green carry the two maps
+    VkImageView shadowMap = VK_NULL_HANDLE;  ///< depth aspect of a map drawn with lightClipFromLight()
+};
+
+/// Where a plan is drawn. All of one size; one sample a pixel.
+struct ShaftTargets {
+    VkExtent2D extent{};
+    VkImage accumulation = VK_NULL_HANDLE;      ///< of accumulationFormat(), usage COLOR_ATTACHMENT | SAMPLED
+    VkImageView accumulationView = VK_NULL_HANDLE;
+    VkImageView depth = VK_NULL_HANDLE;         ///< the scene's, read only, layout DEPTH_READ_ONLY_OPTIMAL (both
+                                                ///< tested against and sampled by the blur); usage
+                                                ///< DEPTH_STENCIL_ATTACHMENT | SAMPLED
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
+    VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;  ///< reversed depth as in perspectiveView()
+    VkImageView colour = VK_NULL_HANDLE;        ///< shafts are added to it, layout COLOR_ATTACHMENT_OPTIMAL
+    VkFormat colourFormat = VK_FORMAT_UNDEFINED;
+    bool blur = false;                          ///< small depth-aware blur when compositing
+};
+
+/// One occluder: indexed triangles, positions as three floats at the start of each vertex.
+struct Occluder {
+    VkBuffer vertices = VK_NULL_HANDLE;
+    VkDeviceSize vertexOffset = 0;
+    std::uint32_t vertexStride = 12;    ///< bytes
+    VkBuffer indices = VK_NULL_HANDLE;  ///< 32-bit
+    VkDeviceSize indexOffset = 0;
+    std::uint32_t indexCount = 0;
+    glm::dmat4 worldFromMesh{1.0};
+};
+
+/// Counts of what one Renderer recorded and made, since it was created.
+struct RendererCounters {
+    std::uint64_t draws = 0, slicesDrawn = 0, descriptorsPushed = 0, pipelinesCreated = 0, bytesUploaded = 0;
+};
+
+/// GPU memory that one frame in flight needs: vertices, indices, constants. Grows as needed, never
+/// shrinks. Reuse it only when the GPU has finished with it.
+class FrameData {
+public:
+    FrameData();
+    FrameData(FrameData&&) noexcept;
+    FrameData& operator=(FrameData&&) noexcept;
+    ~FrameData();
+    /// Bytes of device memory held.
+    VkDeviceSize memory() const;
+private:
+    friend class Renderer;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+class Renderer {
+public:
+    /// Errors: UnsupportedDevice with the missing feature's name, Vulkan.
+    static Result<Renderer> create(const DeviceContext& context);
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer();  ///< the GPU must have finished with everything recorded
+
+    /// Starts a frame: forgets what `frame` held and uploads the plan's vertices, indices and constants.
+    Result<void> upload(FrameData& frame, const Plan& plan);
+
+    /// Records a light's shadow map: clears `map` (a depth view of `size` x `size` texels in layout
+    /// DEPTH_ATTACHMENT_OPTIMAL) to 0 and draws the occluders, both faces, closest wins (reversed depth).
+    Result<void> recordShadowMap(VkCommandBuffer commands, FrameData& frame, const Light& light,
+                                 std::span<const Occluder> occluders, VkImageView map, VkFormat format,
+                                 std::uint32_t size);
+
+    /// Records every group of the plan: clears the accumulation target, adds the slices, composites into
+    /// targets.colour. `textures` has one entry for each light given to plan(). Layout of the accumulation
+    /// image before: any (contents are discarded); after: SHADER_READ_ONLY_OPTIMAL. Barriers between the
+    /// passes are recorded; those against the caller's own work are the caller's.
+    Result<void> record(VkCommandBuffer commands, FrameData& frame, const Plan& plan,
+                        std::span<const LightTextures> textures, const ShaftTargets& targets);
+
+    /// The two halves of record(), for callers who want to time or replace one: accumulate leaves the
+    /// accumulation image in SHADER_READ_ONLY_OPTIMAL, composite expects it there.
+    Result<void> recordAccumulation(VkCommandBuffer commands, FrameData& frame, const Plan& plan, std::size_t group,
+                                    std::span<const LightTextures> textures, const ShaftTargets& targets);
+    Result<void> recordComposite(VkCommandBuffer commands, FrameData& frame, const Plan& plan, std::size_t group,
+                                 const ShaftTargets& targets);
+
+    const RendererCounters& counters() const;
+
+private:
+    struct Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tyndall

@@ -1,0 +1,182 @@
+// Volumetric light shafts by slices: Jason L. Mitchell, "Light Shafts: Rendering Shadows in
+// Participating Media" (GDC 2004; ShaderX3, 2004). A light's volume is cut by planes perpendicular to
+// the view direction; every plane is drawn once, adding the light that its slab of air scatters
+// towards the eye:
+//
+//   L = density / (4 pi) * integral over the ray of noise * cookie * shadow * (I / d^2 + ambient) dt
+//
+// Spaces: *view* has the eye at the origin and looks along -Z; *light* has the lamp at the origin and
+// looks along -Z with +Y up. Both are in metres. Matrices multiply column vectors: mul(matrix, vector).
+
+float4x4 gClipFromView;
+float4x4 gLightFromView;   // rigid; the last row is (0, 0, 0, 1)
+float4   gBoundsMin;       // xyz: view-space corner that a vertex coordinate of 0 stands for
+float4   gBoundsMax;       // xyz: view-space corner that a vertex coordinate of 1 stands for
+float4   gClipPlanes[8];   // view space, keeps dot(n, p) + d >= 0; unused ones are (0, 0, 0, 1)
+float4   gCookieScale;     // xy: 0.5 / tan(fov / 2), horizontal and vertical
+float4   gAttenuation;     // x: I in candela, y: ambient in cd/m^2, z: light units per metre
+float4   gDust;            // x: factor without noise, y: gain of the noise product
+float4   gNoise1;          // xy: repeats over the field of view, zw: phase in [0, 1)
+float4   gNoise2;
+float4   gColour;          // rgb: light colour * density / (4 pi) * target scale, w: 1 = one grey value
+float4   gWeight;          // x: factor, y: exponent of the slab's thickness, z: of the ray's slant (1 or 0 each)
+float4   gShadow;          // stored depth = x + y / w; z: map size in texels, w: bias in metres
+
+sampler2D CookieSampler = sampler_state
+{
+    MinFilter = LINEAR; MagFilter = LINEAR; MipFilter = NONE;
+    AddressU = CLAMP; AddressV = CLAMP;
+};
+sampler2D ScrollingNoiseSampler = sampler_state
+{
+    MinFilter = LINEAR; MagFilter = LINEAR; MipFilter = NONE;
+    AddressU = WRAP; AddressV = WRAP;
+};
+sampler2D ShadowMapSampler = sampler_state  // reversed depth: 1 at the light's near plane, 0 at its far plane
+{
+    MinFilter = POINT; MagFilter = POINT; MipFilter = NONE;
+    AddressU = CLAMP; AddressV = CLAMP;
+};
+
+struct SliceVertex
+{
+    float3 position    : POSITION0;  // view space for exact polygons, unit cube for stretched quads
+    float  thickness   : TEXCOORD0;  // of the slab this slice stands for, in units of gBoundsMax.z - gBoundsMin.z
+    float4 channelMask : COLOR0;
+};
+
+struct SlicePoint
+{
+    float4 position      : POSITION0;
+    float4 tcProj        : TEXCOORD0;  // cookie and shadow map
+    float4 tcProjScroll1 : TEXCOORD1;
+    float4 tcProjScroll2 : TEXCOORD2;
+    float4 lsPos_depth   : TEXCOORD3;  // xyz: light space, w: distance along the light's axis
+    float4 slab          : TEXCOORD4;  // xyz: view ray for one metre of depth, w: slab thickness in metres
+    float4 ChannelMask   : COLOR0;
+    float4 clip0         : SV_ClipDistance0;
+    float4 clip1         : SV_ClipDistance1;
+};
+
+// One vertex shader serves both geometries. Exact polygons come in view space with bounds (0, 0, 0) and
+// (1, 1, 1) and clip planes that keep everything; the published unit-cube quads are stretched over the
+// light volume's bounds here and cut by the clip planes.
+SlicePoint vs_main(SliceVertex v)
+{
+    SlicePoint o;
+    float3 extent = gBoundsMax.xyz - gBoundsMin.xyz;
+    float4 viewPos = float4(gBoundsMin.xyz + extent * v.position, 1.0);
+    float4 lsPos = mul(gLightFromView, viewPos);
+    float axis = -lsPos.z;
+
+    // (0, 0) is the cookie's top left corner: light-space -X and +Y.
+    float2 uv = lsPos.xy * float2(gCookieScale.x, -gCookieScale.y) + 0.5 * axis;
+
+    o.position = mul(gClipFromView, viewPos);
+    o.tcProj = float4(uv, 0.0, axis);
+    o.tcProjScroll1 = float4(uv * gNoise1.xy + gNoise1.zw * axis, 0.0, axis);
+    o.tcProjScroll2 = float4(uv * gNoise2.xy + gNoise2.zw * axis, 0.0, axis);
+    o.lsPos_depth = float4(lsPos.xyz, axis);
+    o.slab = float4(viewPos.xyz / -viewPos.z, abs(extent.z) * v.thickness);
+    o.ChannelMask = v.channelMask;
+    o.clip0 = float4(dot(gClipPlanes[0], viewPos), dot(gClipPlanes[1], viewPos),
+                     dot(gClipPlanes[2], viewPos), dot(gClipPlanes[3], viewPos));
+    o.clip1 = float4(dot(gClipPlanes[4], viewPos), dot(gClipPlanes[5], viewPos),
+                     dot(gClipPlanes[6], viewPos), dot(gClipPlanes[7], viewPos));
+    return o;
+}
+
+// Projective look-up at an explicit level: derivatives mean nothing where a slice ends or w changes sign.
+float4 project(sampler2D map, float4 tc)
+{
+    return tex2Dlod(map, float4(tc.xy / tc.w, 0.0, 0.0));
+}
+
+// The share of the four nearest shadow-map texels that let the light through, weighted bilinearly:
+// compare first, filter after. `depth` and the map are reversed, so nearer to the light is greater.
+float light_through(float2 uv, float depth)
+{
+    float size = gShadow.z;
+    float2 texel = uv * size - 0.5;
+    float2 corner = floor(texel);
+    float2 part = texel - corner;
+    float2 uv00 = (corner + 0.5) / size;
+    float2 uv11 = (corner + 1.5) / size;
+    float s00 = tex2Dlod(ShadowMapSampler, float4(uv00, 0.0, 0.0)).r;
+    float s10 = tex2Dlod(ShadowMapSampler, float4(uv11.x, uv00.y, 0.0, 0.0)).r;
+    float s01 = tex2Dlod(ShadowMapSampler, float4(uv00.x, uv11.y, 0.0, 0.0)).r;
+    float s11 = tex2Dlod(ShadowMapSampler, float4(uv11, 0.0, 0.0)).r;
+    float4 lit = step(float4(s00, s10, s01, s11), float4(depth, depth, depth, depth));
+    float2 rows = lerp(lit.xz, lit.yw, part.x);
+    return lerp(rows.x, rows.y, part.y);
+}
+
+// The slice shader: what one slab of air, seen at one pixel, adds to the picture.
+float4 ps_main(float4 tcProj        : TEXCOORD0,
+               float4 tcProjScroll1 : TEXCOORD1,
+               float4 tcProjScroll2 : TEXCOORD2,
+               float4 lsPos_depth   : TEXCOORD3,
+               float4 slab          : TEXCOORD4,
+               float4 ChannelMask   : COLOR0,
+               uniform bool bScrollingNoise,
+               uniform bool bShadowMapping,
+               uniform bool bCookie) : COLOR0
+{
+    float compositeNoise = gDust.x;
+    if (bScrollingNoise)
+    {
+        // One texture carries both maps; they drift over each other.
+        float noise1 = project(ScrollingNoiseSampler, tcProjScroll1).r;
+        float noise2 = project(ScrollingNoiseSampler, tcProjScroll2).g;
+        compositeNoise = gDust.y * noise1 * noise2;
+    }
+
+    float3 cookie = float3(1.0, 1.0, 1.0);
+    if (bCookie)
+        cookie = project(CookieSampler, tcProj).rgb;
+
+    float shadow = 1.0;
+    if (bShadowMapping)
+    {
+        // Kept just under 1, so that a map filled with 1 blocks everything, and not under 0, so that an
+        // empty map (all 0) blocks nothing.
+        float depth = clamp(gShadow.x + gShadow.y / (lsPos_depth.w - gShadow.w), 0.0, 0.99999994);
+        shadow = light_through(tcProj.xy / tcProj.w, depth);
+    }
+
+    // Nothing behind the lamp: the projection would repeat the beam there, upside down.
+    float mask = lsPos_depth.w > 0.0 ? shadow * compositeNoise : 0.0;
+
+    // Inverse square law, per pixel: interpolated from vertices it would be wrong everywhere between them.
+    float3 d = lsPos_depth.xyz * gAttenuation.z;
+    float atten = gAttenuation.x / dot(d, d) + gAttenuation.y;
+
+    // A slice stands for its slab: as long as this pixel's ray stays in it.
+    float thickness = gWeight.y > 0.0 ? slab.w : 1.0;
+    float slant = gWeight.z > 0.0 ? length(slab.xyz) : 1.0;
+    float intensity = mask * atten * (gWeight.x * thickness * slant);
+
+    float3 colour = gColour.rgb * cookie * intensity;
+    float grey = dot(colour, float3(0.2126, 0.7152, 0.0722));  // Rec. 709 luminance
+    return ChannelMask * float4(gColour.w > 0.0 ? float3(grey, grey, grey) : colour, grey);
+}
+
+// Adds to whatever is in the target, behind nothing that the scene drew.
+#define ADD_SLICES \
+    AlphaBlendEnable = TRUE; SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
+    ZEnable = TRUE; ZWriteEnable = FALSE; CullMode = NONE;
+
+#define SLICE_TECHNIQUE(name, noise, shadow, cookie) \
+    technique name { pass p0 { \
+        VertexShader = compile vs_3_0 vs_main(); \
+        PixelShader = compile ps_3_0 ps_main(noise, shadow, cookie); \
+        ADD_SLICES } }
+
+SLICE_TECHNIQUE(clip_noise_shadow_cookie_technique,       true,  true,  true)
+SLICE_TECHNIQUE(clip_noise_shadow_nocookie_technique,     true,  true,  false)
+SLICE_TECHNIQUE(clip_noise_noshadow_cookie_technique,     true,  false, true)
+SLICE_TECHNIQUE(clip_noise_noshadow_nocookie_technique,   true,  false, false)
+SLICE_TECHNIQUE(clip_nonoise_shadow_cookie_technique,     false, true,  true)
+SLICE_TECHNIQUE(clip_nonoise_shadow_nocookie_technique,   false, true,  false)
+SLICE_TECHNIQUE(clip_nonoise_noshadow_cookie_technique,   false, false, true)
+SLICE_TECHNIQUE(clip_nonoise_noshadow_nocookie_technique, false, false, false)
