@@ -1,1 +1,31 @@
+# `cmake --install`: the packages permgen (program, tables, permgen_effect()) and tyndall (the runtime),
+# found by find_package(permgen) and find_package(tyndall).
+include(CMakePackageConfigHelpers)
 
+set_target_properties(permgen_tables PROPERTIES EXPORT_NAME tables)
+set_target_properties(tyndall_runtime PROPERTIES EXPORT_NAME runtime)
+
+install(TARGETS permgen permgen_tables EXPORT permgenTargets)
+install(TARGETS tyndall_runtime EXPORT tyndallTargets)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/permgen/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/shaders/slices.fx" DESTINATION "${CMAKE_INSTALL_DATADIR}/tyndall/shaders")
+if(TARGET tyndall)
+  install(TARGETS tyndall)
+endif()
+
+foreach(package IN ITEMS permgen tyndall)
+  set(destination "${CMAKE_INSTALL_LIBDIR}/cmake/${package}")
+  install(EXPORT ${package}Targets NAMESPACE ${package}:: DESTINATION "${destination}")
+  configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/${package}Config.cmake.in"
+                                "${PROJECT_BINARY_DIR}/cmake/${package}Config.cmake"
+                                INSTALL_DESTINATION "${destination}")
+  # Before 1.0 every minor version may break what was there.
+  write_basic_package_version_file("${PROJECT_BINARY_DIR}/cmake/${package}ConfigVersion.cmake"
+                                   COMPATIBILITY SameMinorVersion)
+  install(FILES "${PROJECT_BINARY_DIR}/cmake/${package}Config.cmake"
+                "${PROJECT_BINARY_DIR}/cmake/${package}ConfigVersion.cmake"
+          DESTINATION "${destination}")
+endforeach()
+install(FILES "${PROJECT_SOURCE_DIR}/cmake/PermgenEffect.cmake"
+        DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/permgen")

@@ -1,0 +1,20 @@
+#include <cstdio>
+
+#include <tint.fx.h>
+#include <tyndall/plan.h>
+
+// Read at compile time, as an engine would: what each technique needs is known before the first frame.
+static_assert(tint::effect.techniques.size() == 2);
+static_assert(!permgen::is_live(permgen::find_technique(tint::effect, "plain")->passes[0], "PictureSampler"));
+static_assert(permgen::is_live(permgen::find_technique(tint::effect, "picture")->passes[0], "PictureSampler"));
+
+int main() {
+    const tyndall::Light light;
+    const tyndall::View view = tyndall::perspectiveView(glm::dmat4(1.0), 0.8, 1.0, 0.1, 100.0);
+    const auto plan = tyndall::plan(std::span(&light, 1), view, {});
+    if (!plan) {
+        std::fprintf(stderr, "%s\n", plan.error().message.c_str());
+        return 1;
+    }
+    return plan->lights.size() == 1 && plan->lights[0].drawn ? 0 : 1;
+}

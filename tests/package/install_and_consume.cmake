@@ -1,0 +1,49 @@
+# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D GENERATOR=... -D CXX=... -D SANITIZE=... -P this
+function(run)
+  cmake_parse_arguments(arg "" "MESSAGE;OUT" "COMMAND" ${ARGN})
+  execute_process(COMMAND ${arg_COMMAND} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${arg_MESSAGE} failed (${status}):\n${text}")
+  endif()
+  if(arg_OUT)
+    set(${arg_OUT} "${text}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(flags)
+if(SANITIZE)
+  set(flags -D CMAKE_CXX_FLAGS=-fsanitize=address,undefined)
+endif()
+
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+file(COPY "${SOURCE}/" DESTINATION "${WORK}/source")
+run(MESSAGE "install" COMMAND ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
+run(MESSAGE "configure"
+    COMMAND ${CMAKE_COMMAND} -S "${WORK}/source" -B "${WORK}/build" -G "${GENERATOR}" ${flags}
+            -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${WORK}/prefix)
+run(MESSAGE "build" COMMAND ${CMAKE_COMMAND} --build "${WORK}/build")
+run(MESSAGE "consumer" COMMAND "${WORK}/build/consumer")
+
+# Nothing changed: nothing is compiled again.
+run(MESSAGE "second build" COMMAND ${CMAKE_COMMAND} --build "${WORK}/build" OUT again)
+if(again MATCHES "tint|main")
+  message(FATAL_ERROR "a build after no change did work:\n${again}")
+endif()
+
+# An include changed: the effect is compiled again.
+file(APPEND "${WORK}/source/include/tint.fxh" "float4 gMore;\n")
+run(MESSAGE "build after a change" COMMAND ${CMAKE_COMMAND} --build "${WORK}/build" OUT changed)
+if(NOT changed MATCHES "tint")
+  message(FATAL_ERROR "an include changed and the effect was not compiled again:\n${changed}")
+endif()
+
+# A misspelt entry point stops the build and names the author's line.
+file(READ "${WORK}/source/tint.fx" effect)
+string(REPLACE "compile ps_3_0 ps_main(true" "compile ps_3_0 ps_mian(true" effect "${effect}")
+file(WRITE "${WORK}/source/tint.fx" "${effect}")
+execute_process(COMMAND ${CMAKE_COMMAND} --build "${WORK}/build" RESULT_VARIABLE status
+                OUTPUT_VARIABLE text ERROR_VARIABLE text)
+if(status EQUAL 0 OR NOT text MATCHES "tint\\.fx:[0-9]+:[0-9]+: error\\[PG[0-9]+\\][^\n]*ps_mian")
+  message(FATAL_ERROR "a misspelt entry point was not reported (${status}):\n${text}")
+endif()
