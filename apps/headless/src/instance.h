@@ -1,0 +1,10 @@
+#pragma once
+
+#include "device_core.h"
+
+namespace headless {
+
+/// Fills core.instance, and core.messenger where validation is on.
+Result<void> createInstance(DeviceCore& core, const DeviceOptions& options);
+
+}  // namespace headless

@@ -1,0 +1,21 @@
+// What the validation layer says, collected from whichever thread it says it on.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace headless {
+
+struct MessageLog {
+    mutable std::mutex mutex;
+    std::vector<std::string> messages;
+    bool skipInvalidCalls = false;
+};
+
+/// Warnings and errors of the validation layers go to `log`, which must outlive the messenger.
+VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageLog& log);
+
+}  // namespace headless
