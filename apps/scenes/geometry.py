@@ -1,0 +1,155 @@
+"""Stone-mason's kit: plain functions that add faces to a Part, and a Part that becomes a Blender object.
+
+Lengths in metres, Blender's axes (Z up). Everything is computed in a fixed order, so that the exported
+file has the same bytes every time.
+"""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+
+class Part:
+    """Vertices and faces under way to one mesh; every face carries the index of its material."""
+
+    def __init__(self, *materials):
+        self.materials = materials
+        self.vertices = []
+        self.faces = []
+        self.slots = []
+
+    def face(self, points, slot=0):
+        start = len(self.vertices)
+        self.vertices.extend(tuple(p) for p in points)
+        self.faces.append(tuple(range(start, start + len(points))))
+        self.slots.append(slot)
+
+    def grid(self, rows, slot=0, closed=False):
+        """Quads between successive rows of points, sharing vertices so that they can shade smoothly."""
+        start, width = len(self.vertices), len(rows[0])
+        for row in rows:
+            self.vertices.extend(tuple(p) for p in row)
+        for r in range(len(rows) - 1):
+            for c in range(width if closed else width - 1):
+                a, b = start + r * width + c, start + r * width + (c + 1) % width
+                self.faces.append((a, b, b + width, a + width))
+                self.slots.append(slot)
+
+    def mesh(self, name, smooth_below=None):
+        """`smooth_below`: degrees between faces up to which an edge shades smoothly; None: flat."""
+        mesh = bpy.data.meshes.new(name)
+        mesh.from_pydata(self.vertices, [], self.faces)
+        for material in self.materials:
+            mesh.materials.append(material)
+        mesh.polygons.foreach_set("material_index", self.slots)
+        if smooth_below is not None:
+            mesh.polygons.foreach_set("use_smooth", [True] * len(self.faces))
+            mesh.use_auto_smooth = True
+            mesh.auto_smooth_angle = math.radians(smooth_below)
+        mesh.update()
+        return mesh
+
+    def place(self, name, smooth_below=None):
+        return place(name, self.mesh(name, smooth_below))
+
+
+def place(name, data, location=(0, 0, 0), rotation=(0, 0, 0)):
+    item = bpy.data.objects.new(name, data)
+    item.location = location
+    item.rotation_euler = rotation
+    bpy.context.scene.collection.objects.link(item)
+    return item
+
+
+def box(part, low, high, slot=0):
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    for face in (((x0, y0, z0), (x0, y1, z0), (x1, y1, z0), (x1, y0, z0)),
+                 ((x0, y0, z1), (x1, y0, z1), (x1, y1, z1), (x0, y1, z1)),
+                 ((x0, y0, z0), (x1, y0, z0), (x1, y0, z1), (x0, y0, z1)),
+                 ((x0, y1, z0), (x0, y1, z1), (x1, y1, z1), (x1, y1, z0)),
+                 ((x0, y0, z0), (x0, y0, z1), (x0, y1, z1), (x0, y1, z0)),
+                 ((x1, y0, z0), (x1, y1, z0), (x1, y1, z1), (x1, y0, z1))):
+        part.face(face, slot)
+
+
+def tile(part, origin, across, up, size, bevel, slot=0):
+    """A stone that stands `bevel` proud of its bed: a face and four chamfers. `across` x `up` points outwards."""
+    origin, across, up = Vector(origin), Vector(across), Vector(up)
+    out = across.cross(up)
+    w, h = size
+    low = [origin + across * x + up * y for x, y in ((0, 0), (w, 0), (w, h), (0, h))]
+    high = [origin + across * x + up * y + out * bevel
+            for x, y in ((bevel, bevel), (w - bevel, bevel), (w - bevel, h - bevel), (bevel, h - bevel))]
+    part.face(high, slot)
+    for i in range(4):
+        j = (i + 1) % 4
+        part.face((low[i], low[j], high[j], high[i]), slot)
+
+
+def lathe(part, profile, segments, centre=(0, 0), slot=0):
+    """Turns (radius, height) pairs, listed from the bottom up, about the vertical through `centre`."""
+    cx, cy = centre
+    rows = []
+    for radius, z in profile:
+        angles = [2 * math.pi * i / segments for i in range(segments)]
+        rows.append([(cx + radius * math.cos(a), cy + radius * math.sin(a), z) for a in angles])
+    part.grid(rows, slot, closed=True)
+
+
+def arch(half_width, offset, steps):
+    """Points (u, rise) of an arch over [-half_width, half_width], struck from two centres `offset` beyond the
+    middle: 0 is round, half_width is the equilateral pointed arch."""
+    radius = half_width + offset
+    points = []
+    for i in range(2 * steps + 1):
+        u = -half_width * math.cos(math.pi * i / (2 * steps))  # closer together at the springers, where it is steep
+        points.append((u, math.sqrt(max(0.0, radius * radius - (abs(u) + offset) ** 2))))
+    return points
+
+
+def pierced_wall(part, x_range, y_range, z_range, openings, slot=0, reveal_slot=0):
+    """A wall in the plane of y and z with arched openings: (centre, sill, spring, arch points)."""
+    (x0, x1), (y0, y1), (z0, z1) = x_range, y_range, z_range
+
+    def panel(ya, yb, za, zb, zc, zd):
+        """Both faces of the quad (ya, za) (yb, zb) (yb, zc) (ya, zd)."""
+        part.face(((x1, ya, za), (x1, yb, zb), (x1, yb, zc), (x1, ya, zd)), slot)
+        part.face(((x0, yb, zb), (x0, ya, za), (x0, ya, zd), (x0, yb, zc)), slot)
+
+    at = y0
+    for centre, sill, spring, points in openings:
+        left, right = centre + points[0][0], centre + points[-1][0]
+        panel(at, left, z0, z0, z1, z1)
+        at = right
+        if sill > z0:
+            panel(left, right, z0, z0, sill, sill)
+            part.face(((x1, left, sill), (x1, right, sill), (x0, right, sill), (x0, left, sill)), reveal_slot)
+        if spring > sill:
+            part.face(((x1, left, sill), (x0, left, sill), (x0, left, spring), (x1, left, spring)), reveal_slot)
+            part.face(((x0, right, sill), (x1, right, sill), (x1, right, spring), (x0, right, spring)), reveal_slot)
+        rows = []
+        for (ua, ra), (ub, rb) in zip(points, points[1:]):
+            panel(centre + ua, centre + ub, spring + ra, spring + rb, z1, z1)
+        for u, r in points:
+            rows.append([(x1, centre + u, spring + r), (x0, centre + u, spring + r)])
+        part.grid(rows, reveal_slot)
+    panel(at, y1, z0, z0, z1, z1)
+
+
+def bar(part, path, width, depth, x, chamfer, closed=False, slot=0):
+    """A chamfered bar along `path`, points (y, z) in the plane `x`: window tracery."""
+    w, d, c = width / 2, depth / 2, chamfer
+    section = [(-w, -d + c), (-w, d - c), (-w + c, d), (w - c, d), (w, d - c), (w, -d + c), (w - c, -d), (-w + c, -d)]
+    count = len(path)
+    rows = []
+    for i, (y, z) in enumerate(path):
+        before = path[i - 1] if i > 0 or closed else path[i]
+        after = path[(i + 1) % count] if i < count - 1 or closed else path[i]
+        dy, dz = after[0] - before[0], after[1] - before[1]
+        length = math.hypot(dy, dz)
+        ny, nz = dz / length, -dy / length
+        rows.append([(x + sx, y + ny * sn, z + nz * sn) for sn, sx in section])
+    if closed:
+        rows.append(rows[0])
+    part.grid(rows, slot, closed=True)

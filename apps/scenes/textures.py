@@ -1,0 +1,78 @@
+"""The two pictures that the window's light projects, as PNG bytes: drifting dust and stained glass."""
+
+import struct
+import zlib
+
+import numpy
+
+
+def png(pixels):
+    """8-bit RGB. Rows are stored as differences to the row above, which suits smooth pictures."""
+    height, width, _ = pixels.shape
+    rows = pixels.reshape(height, width * 3).astype(numpy.uint8)
+    up = rows.copy()
+    up[1:] -= rows[:-1]
+    raw = b"".join(b"\x02" + row.tobytes() for row in up)
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(raw, 9)) + chunk(b"IEND", b""))
+
+
+def gradient_noise(size, cells, random):
+    """Ken Perlin, "Improving Noise" (2002), on a lattice that wraps round after `cells`."""
+    angles = random.random_sample((cells, cells)) * 2 * numpy.pi
+    gradients = numpy.stack([numpy.cos(angles), numpy.sin(angles)], axis=-1)
+    at = (numpy.arange(size) + 0.5) * cells / size
+    cell = at.astype(int)
+    part = at - cell
+    fade = part ** 3 * (part * (part * 6 - 15) + 10)
+
+    def corner(dy, dx):
+        g = gradients[numpy.ix_((cell + dy) % cells, (cell + dx) % cells)]
+        return g[..., 0] * (part - dx)[None, :] + g[..., 1] * (part - dy)[:, None]
+
+    fx, fy = fade[None, :], fade[:, None]
+    top = corner(0, 0) * (1 - fx) + corner(0, 1) * fx
+    bottom = corner(1, 0) * (1 - fx) + corner(1, 1) * fx
+    return top * (1 - fy) + bottom * fy
+
+
+def billows(size, first_cells, octaves, seed):
+    """Fractal sum of gradient noise with half the strength at twice the frequency; mean 0, deviation 1."""
+    random = numpy.random.RandomState(seed)
+    total = sum(gradient_noise(size, first_cells << i, random) * 0.5 ** i for i in range(octaves))
+    total -= total.mean()
+    return total / total.std()
+
+
+def dust(size=256, contrast=0.22):
+    """Two tileable maps in red and green. Each has mean sqrt(0.3): drifting over each other their product
+    has mean 0.3, so that a gain of 1/0.3 leaves the brightness of the air as it was."""
+    pixels = numpy.zeros((size, size, 3))
+    for channel, (cells, seed) in enumerate(((3, 11), (4, 29))):
+        field = numpy.clip(numpy.sqrt(0.3) + contrast * billows(size, cells, 5, seed), 0.03, 1.0)
+        for _ in range(8):  # clipping moved the mean
+            field = numpy.clip(field + numpy.sqrt(0.3) - field.mean(), 0.03, 1.0)
+        pixels[..., channel] = field
+    return png(numpy.rint(pixels * 255))
+
+
+def srgb(linear):
+    """IEC 61966-2-1."""
+    return numpy.where(linear <= 0.0031308, linear * 12.92, 1.055 * numpy.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
+
+
+def slide(size, fov, colour_of, samples=3):
+    """What a lamp has to project so that `colour_of(x, y)` arrives on the plane one metre before it.
+
+    `fov`: full angles in radians; x to the lamp's right and y up, arrays; linear RGB out. Each texel is the mean
+    of `samples` squared points. Row 0 is the top: the picture is as an eye at the lamp would see it.
+    """
+    fine = (numpy.arange(size * samples) + 0.5) / (size * samples) * 2 - 1
+    x = fine[None, :] * numpy.tan(fov[0] / 2) * numpy.ones((size * samples, 1))
+    y = -fine[:, None] * numpy.tan(fov[1] / 2) * numpy.ones((1, size * samples))
+    linear = colour_of(x, y).reshape(size, samples, size, samples, 3).mean(axis=(1, 3))
+    return png(numpy.rint(srgb(numpy.clip(linear, 0, 1)) * 255))
