@@ -1,0 +1,50 @@
+// The bounds that plan() documents, checked. Every message names the place, the field, its value, the
+// rule it breaks and what to do about it.
+#pragma once
+
+#include <tyndall/light.h>
+#include <tyndall/plan.h>
+#include <tyndall/result.h>
+#include <tyndall/view.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace tyndall {
+
+Result<void> checkOptions(const PlanOptions& options);
+Result<void> checkView(const View& view);
+Result<void> checkLight(const Light& light, std::size_t index, const PlanOptions& options);
+
+/// How messages name a light: its number among those given, and its name where it has one.
+std::string placeOf(const Light& light, std::size_t index);
+
+/// Nine significant digits, as short as they allow.
+std::string text(double number);
+
+tl::unexpected<Error> broken(const std::string& sentence);
+
+/// A field with a closed range.
+struct Bound {
+    std::string_view field;
+    double value;
+    double least, most;
+    std::string_view rule;    ///< completes "it must be ..."
+    std::string_view remedy;  ///< an imperative
+};
+
+Result<void> checkBounds(const std::string& place, std::span<const Bound> bounds);
+
+/// A pose has no scale, shear or mirroring, and no translation beyond what a double resolves to a micrometre.
+Result<void> checkRigid(const std::string& place, std::string_view field, const glm::dmat4& pose);
+
+/// Largest coordinate, in metres, that doubles resolve well below a micrometre.
+inline constexpr double farthest = 1e9;
+
+/// Largest entry that the columns' dot products may be off those of a rotation by. Matrices that were
+/// floats once, or quaternions in floats, are off by a few 1e-7.
+inline constexpr double rigidTolerance = 1e-6;
+
+}  // namespace tyndall

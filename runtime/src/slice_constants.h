@@ -1,0 +1,25 @@
+// The uniform block of slices.fx for one light.
+#pragma once
+
+#include <tyndall/plan.h>
+
+#include "light_volume.h"
+#include "plan_technique.h"
+#include "view_pose.h"
+
+namespace tyndall {
+
+/// Largest component of the light's colour: what a routed target's grey value stands for, and what its
+/// group's tint is normalised by, so that the strongest channel uses the whole range of the target.
+double greyOf(const Light& light);
+
+SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
+                              const LightVolume& volume, const Terms& terms);
+
+/// Every number in it is finite.
+bool isFinite(const SliceConstants& constants);
+
+/// Target value of a radiance of 1.
+double targetScale(const PlanOptions& options);
+
+}  // namespace tyndall

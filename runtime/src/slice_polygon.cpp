@@ -1,0 +1,71 @@
+#include "slice_polygon.h"
+
+#include <algorithm>
+
+namespace tyndall {
+namespace {
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+void add(SlicePolygon& polygon, const glm::dvec2& corner) {
+    if (polygon.count < SlicePolygon::capacity) polygon.corners[polygon.count++] = corner;
+}
+
+// Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1), 1974, for one half plane
+// dot(normal, p) + offset >= 0. A corner on the line stays and makes no crossing, so none is doubled.
+void clip(SlicePolygon& polygon, const glm::dvec2& normal, double offset) {
+    std::array<double, SlicePolygon::capacity> inside;
+    bool whole = true;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        inside[i] = glm::dot(normal, polygon.corners[i]) + offset;
+        whole = whole && inside[i] >= 0.0;
+    }
+    if (whole) return;
+    SlicePolygon left;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const std::size_t next = i + 1 < polygon.count ? i + 1 : 0;
+        if (inside[i] >= 0.0) add(left, polygon.corners[i]);
+        if ((inside[i] > 0.0 && inside[next] < 0.0) || (inside[i] < 0.0 && inside[next] > 0.0))
+            add(left, glm::mix(polygon.corners[i], polygon.corners[next], inside[i] / (inside[i] - inside[next])));
+    }
+    polygon = left;
+}
+
+// Drops corners that rounding made of one: three planes through a point cut it off twice.
+void mergeCorners(SlicePolygon& polygon, double distance) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const glm::dvec2 corner = polygon.corners[i];
+        if (kept == 0 || glm::distance(corner, polygon.corners[kept - 1]) > distance) polygon.corners[kept++] = corner;
+    }
+    while (kept > 1 && glm::distance(polygon.corners[kept - 1], polygon.corners[0]) <= distance) --kept;
+    polygon.count = kept;
+}
+
+}  // namespace
+
+SlicePolygon slicePolygon(const glm::dvec2& rectangleMin, const glm::dvec2& rectangleMax,
+                          std::span<const glm::dvec4> planes, double depth) {
+    SlicePolygon polygon;
+    add(polygon, rectangleMin);
+    add(polygon, {rectangleMax.x, rectangleMin.y});
+    add(polygon, rectangleMax);
+    add(polygon, {rectangleMin.x, rectangleMax.y});
+    for (const glm::dvec4& plane : planes) clip(polygon, glm::dvec2(plane), plane.w - plane.z * depth);
+
+    const double extent = glm::distance(rectangleMin, rectangleMax);
+    mergeCorners(polygon, 1e-12 * extent);
+    if (polygon.count < 3 || area(polygon) <= 1e-16 * extent * extent) polygon.count = 0;
+    return polygon;
+}
+
+double area(const SlicePolygon& polygon) {
+    double twice = 0.0;
+    for (std::size_t i = 2; i < polygon.count; ++i)
+        twice += cross(polygon.corners[i - 1] - polygon.corners[0], polygon.corners[i] - polygon.corners[0]);
+    return 0.5 * twice;
+}
+
+}  // namespace tyndall

@@ -1,0 +1,27 @@
+// One slice: the convex polygon in which a plane of constant view depth meets a light's volume.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace tyndall {
+
+struct SlicePolygon {
+    /// A rectangle gains at most one corner from each half plane: 4 + 6 of the pyramid + 6 clip planes + 4 of
+    /// the guard band, and as much again to spare.
+    static constexpr std::size_t capacity = 40;
+    std::array<glm::dvec2, capacity> corners;  ///< view-space x and y, counter-clockwise as the eye sees it
+    std::size_t count = 0;                     ///< 0, or at least 3
+};
+
+/// Cuts the rectangle at view depth `depth` by half spaces of view space that keep dot(n, p) + d >= 0.
+/// What has no area is empty.
+SlicePolygon slicePolygon(const glm::dvec2& rectangleMin, const glm::dvec2& rectangleMax,
+                          std::span<const glm::dvec4> planes, double depth);
+
+/// Square metres, positive for a counter-clockwise polygon.
+double area(const SlicePolygon& polygon);
+
+}  // namespace tyndall
