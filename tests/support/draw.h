@@ -1,0 +1,35 @@
+// Draws a shot with the runtime, the way a program would.
+#pragma once
+
+#include <tyndall/plan.h>
+#include <tyndall/renderer.h>
+
+#include <optional>
+#include <string_view>
+
+#include "gpu.h"
+#include "oracle.h"
+#include "picture.h"
+
+namespace tyndall::test {
+
+struct DrawOptions {
+    Geometry geometry = Geometry::ExactPolygons;
+    Accumulation accumulation = Accumulation::Rgba32f;
+    double range = 1.0;                         ///< PlanOptions::range
+    std::optional<std::string_view> technique;  ///< PlanOptions::technique
+};
+
+struct Drawing {
+    Plan plan;
+    Picture sum;                ///< the accumulation target, as stored
+    RendererCounters counters;  ///< of this drawing alone; pipelines may have been made before
+};
+
+View viewOf(const Shot& shot);
+PlanOptions planOptionsOf(const Shot& shot, const DrawOptions& options);
+
+/// Plans, uploads what the technique calls for and nothing else, accumulates, reads back.
+Drawing draw(const Shot& shot, const DrawOptions& options = {});
+
+}  // namespace tyndall::test
