@@ -1,0 +1,14 @@
+// What the manifest and `permgen list --json` share.
+#pragma once
+
+#include <permgen/tables.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+namespace permgen {
+
+/// true, 3 or 0.5, as the type has it.
+nlohmann::ordered_json constant_json(ScalarType type, std::uint32_t bits);
+
+}  // namespace permgen

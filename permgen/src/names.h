@@ -1,0 +1,19 @@
+// The words for types and kinds, in diagnostics and in the manifest.
+#pragma once
+
+#include <permgen/tables.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace permgen {
+
+std::string_view scalar_name(ScalarType type);                           ///< "bool", "int", "uint", "float"
+std::string type_name(ScalarType type, std::uint32_t components);        ///< "float4", as HLSL says it
+std::string_view stage_name(Stage stage);                                ///< "vertex", "pixel"
+std::string_view kind_name(ResourceKind kind);                           ///< "uniform-buffer", "combined-image-sampler"
+std::string_view dimension_name(ImageDimension dimension);               ///< "1d", "2d", "3d", "cube"; empty for None
+std::string resource_name(ResourceKind kind, ImageDimension dimension);  ///< "uniform block", "sampler2D"
+
+}  // namespace permgen

@@ -1,0 +1,14 @@
+// Names for the generated header's namespace.
+#pragma once
+
+#include <string>
+
+namespace permgen {
+
+/// Whether "studio::slices" can be a namespace: identifiers that no C++ keyword or reserved name is.
+bool is_namespace(const std::string& name);
+
+/// A namespace for an effect of that name: "3d noise" becomes "effect_3d_noise".
+std::string default_namespace(const std::string& effect);
+
+}  // namespace permgen

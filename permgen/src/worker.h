@@ -1,0 +1,46 @@
+// Work that may crash, hang or eat all memory, done in forked children of this process.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace permgen {
+
+struct WorkerLimits {
+    std::chrono::milliseconds wall{20'000};
+    std::uint64_t memory = std::uint64_t{2} << 30;  ///< bytes of address space; not enforced under AddressSanitizer
+};
+
+enum class WorkerEnd {
+    Done,         ///< `reply` is whole
+    Crashed,      ///< a signal ended it: `detail` is the signal
+    TimedOut,     ///< it ran past WorkerLimits::wall and was killed
+    OutOfMemory,  ///< it asked for more than WorkerLimits::memory
+    Failed,       ///< it ended without an answer: `detail` is its exit status
+    NotStarted,   ///< no process or pipe could be had: `detail` is errno
+};
+
+struct WorkerResult {
+    WorkerEnd end = WorkerEnd::NotStarted;
+    int detail = 0;
+    std::string reply;
+};
+
+/// Runs task(0) … task(count - 1), each in a child of its own, at most `jobs` at a time, and returns their
+/// results in that order whatever order they end in. Whatever a task changes in memory stays in its child;
+/// what it prints is dropped. All children are gone when this returns. The calling process must not be
+/// running other threads that hold locks which a task needs.
+std::vector<WorkerResult> run_workers(std::size_t count, int jobs, const WorkerLimits& limits,
+                                      const std::function<std::string(std::size_t)>& task);
+
+/// "crashed (Segmentation fault)" and so on, to follow the name of what was being worked on; empty for Done.
+std::string describe_failure(const WorkerResult& result, const WorkerLimits& limits);
+
+/// The number of processors this process may use, at least 1.
+int default_jobs();
+
+}  // namespace permgen
