@@ -22,9 +22,13 @@ Result<void> createDevice(DeviceCore& core, const DeviceOptions& options) {
     features13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     features13.dynamicRendering = VK_TRUE;
     features13.synchronization2 = VK_TRUE;
+    VkPhysicalDeviceVulkan12Features features12{};
+    features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    features12.pNext = &features13;
+    features12.separateDepthStencilLayouts = VK_TRUE;  // there on every Vulkan 1.3 device
     VkPhysicalDeviceFeatures2 features{};
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &features13;
+    features.pNext = &features12;
     features.features.shaderClipDistance = VK_TRUE;
     features.features.pipelineStatisticsQuery = core.pipelineStatistics ? VK_TRUE : VK_FALSE;
 

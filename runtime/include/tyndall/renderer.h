@@ -1,19 +1,18 @@
 // Records a plan into the caller's command buffer. Makes no decisions: plan() made them.
 //
 // The caller owns instance, device, queues, memory of its own images, synchronization between frames and
-// the pipeline cache. The device needs Vulkan 1.3 with dynamicRendering and synchronization2, the feature
-// shaderClipDistance and the extension VK_KHR_push_descriptor. Nothing here is thread-safe by itself; use
-// one Renderer a thread or lock around it.
+// the pipeline cache. The device needs Vulkan 1.3 with dynamicRendering, synchronization2 and
+// separateDepthStencilLayouts enabled, the feature shaderClipDistance and the extension
+// VK_KHR_push_descriptor. Nothing here is thread-safe by itself; use one Renderer a thread or lock around it.
 #pragma once
+
+#include <tyndall/plan.h>
+#include <tyndall/result.h>
+#include <vulkan/vulkan_core.h>
 
 #include <memory>
 #include <span>
 #include <string_view>
-
-#include <vulkan/vulkan_core.h>
-
-#include <tyndall/plan.h>
-#include <tyndall/result.h>
 
 namespace tyndall {
 
@@ -25,8 +24,9 @@ struct DeviceContext {
 
 VkFormat accumulationFormat(Accumulation accumulation);
 
-/// The textures of one light. Views that its technique does not read may be null; they are not bound.
-/// Layout at recording: SHADER_READ_ONLY_OPTIMAL.
+/// The textures of one light, in layout SHADER_READ_ONLY_OPTIMAL. Views that its technique does not read
+/// may be null; they are not bound. Where it does read a null one, a neutral texture stands in: white for
+/// cookie and noise, an empty shadow map.
 struct LightTextures {
     VkImageView cookie = VK_NULL_HANDLE;     ///< linear colour
     VkImageView noise = VK_NULL_HANDLE;      ///< red and green carry the two maps
@@ -36,23 +36,24 @@ struct LightTextures {
 /// Where a plan is drawn. All of one size; one sample a pixel.
 struct ShaftTargets {
     VkExtent2D extent{};
-    VkImage accumulation = VK_NULL_HANDLE;      ///< of accumulationFormat(), usage COLOR_ATTACHMENT | SAMPLED
+    VkImage accumulation = VK_NULL_HANDLE;  ///< of accumulationFormat(), usage COLOR_ATTACHMENT | SAMPLED
     VkImageView accumulationView = VK_NULL_HANDLE;
-    VkImageView depth = VK_NULL_HANDLE;         ///< the scene's, read only, layout DEPTH_READ_ONLY_OPTIMAL (both
-                                                ///< tested against and sampled by the blur); usage
-                                                ///< DEPTH_STENCIL_ATTACHMENT | SAMPLED
+    VkImageView depth = VK_NULL_HANDLE;  ///< the scene's, read only, layout DEPTH_READ_ONLY_OPTIMAL (both
+                                         ///< tested against and sampled by the blur); usage
+                                         ///< DEPTH_STENCIL_ATTACHMENT | SAMPLED. Null: nothing stands
+                                         ///< before the shafts, and there is no blur
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;  ///< reversed depth as in perspectiveView()
-    VkImageView colour = VK_NULL_HANDLE;        ///< shafts are added to it, layout COLOR_ATTACHMENT_OPTIMAL
+    VkImageView colour = VK_NULL_HANDLE;  ///< shafts are added to it, layout COLOR_ATTACHMENT_OPTIMAL
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;
-    bool blur = false;                          ///< small depth-aware blur when compositing
+    bool blur = false;  ///< 3x3 blur when compositing that stops at depth edges
 };
 
 /// One occluder: indexed triangles, positions as three floats at the start of each vertex.
 struct Occluder {
     VkBuffer vertices = VK_NULL_HANDLE;
     VkDeviceSize vertexOffset = 0;
-    std::uint32_t vertexStride = 12;    ///< bytes
+    std::uint32_t vertexStride = 12;    ///< bytes, a multiple of 4
     VkBuffer indices = VK_NULL_HANDLE;  ///< 32-bit
     VkDeviceSize indexOffset = 0;
     std::uint32_t indexCount = 0;
@@ -62,37 +63,47 @@ struct Occluder {
 /// Counts of what one Renderer recorded and made, since it was created.
 struct RendererCounters {
     std::uint64_t draws = 0, slicesDrawn = 0, descriptorsPushed = 0, pipelinesCreated = 0, bytesUploaded = 0;
+    std::uint64_t neutralTexturesCreated = 0;
 };
 
 /// GPU memory that one frame in flight needs: vertices, indices, constants. Grows as needed, never
-/// shrinks. Reuse it only when the GPU has finished with it.
+/// shrinks. Reuse it only when the GPU has finished with it, and destroy it before the device.
 class FrameData {
 public:
+    struct Impl;  ///< the library's own
     FrameData();
     FrameData(FrameData&&) noexcept;
     FrameData& operator=(FrameData&&) noexcept;
     ~FrameData();
     /// Bytes of device memory held.
     VkDeviceSize memory() const;
+
 private:
     friend class Renderer;
-    struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 
 class Renderer {
 public:
-    /// Errors: UnsupportedDevice with the missing feature's name, Vulkan.
+    struct Impl;  ///< the library's own
+    /// Errors: InvalidArgument for a null handle, UnsupportedDevice with the missing feature's name.
     static Result<Renderer> create(const DeviceContext& context);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();  ///< the GPU must have finished with everything recorded
 
-    /// Starts a frame: forgets what `frame` held and uploads the plan's vertices, indices and constants.
+    // Every function below that can fail answers InvalidArgument where its arguments break what is stated
+    // here, UnsupportedDevice where the device cannot draw to a format, and Vulkan. Pipelines are made on
+    // first use, within the recording functions.
+
+    /// Starts a frame: forgets what `frame` held, shadow maps recorded with it included, and uploads the
+    /// plan's vertices, indices and constants. So it comes first in a frame.
     Result<void> upload(FrameData& frame, const Plan& plan);
 
     /// Records a light's shadow map: clears `map` (a depth view of `size` x `size` texels in layout
     /// DEPTH_ATTACHMENT_OPTIMAL) to 0 and draws the occluders, both faces, closest wins (reversed depth).
+    /// What stands before the light's near plane throws no shadow. The map's layout does not change; the
+    /// barriers before and after are the caller's.
     Result<void> recordShadowMap(VkCommandBuffer commands, FrameData& frame, const Light& light,
                                  std::span<const Occluder> occluders, VkImageView map, VkFormat format,
                                  std::uint32_t size);
@@ -114,7 +125,6 @@ public:
     const RendererCounters& counters() const;
 
 private:
-    struct Impl;
     explicit Renderer(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

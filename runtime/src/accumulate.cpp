@@ -1,0 +1,167 @@
+// Adds the slices of a group's lights up in the accumulation target.
+#include <cstddef>
+
+#include "barriers.h"
+#include "effects.h"
+#include "renderer_impl.h"
+
+namespace tyndall {
+namespace {
+
+constexpr std::array<VertexElement, 3> sliceElements{{
+    {"POSITION0", offsetof(SliceVertex, position), VK_FORMAT_R32G32B32_SFLOAT},
+    {"TEXCOORD0", offsetof(SliceVertex, thickness), VK_FORMAT_R32_SFLOAT},
+    {"COLOR0", offsetof(SliceVertex, channelMask), VK_FORMAT_R8G8B8A8_UNORM},
+}};
+
+struct LightSampler {
+    std::string_view name;
+    VkImageView LightTextures::*view;
+    Neutral neutral;
+};
+
+constexpr std::array<LightSampler, 3> lightSamplers{{
+    {"CookieSampler", &LightTextures::cookie, Neutral::White},
+    {"ScrollingNoiseSampler", &LightTextures::noise, Neutral::White},
+    {"ShadowMapSampler", &LightTextures::shadowMap, Neutral::NoShadow},
+}};
+
+Result<void> checkLight(const Plan& plan, std::size_t index, std::size_t textures) {
+    if (index >= plan.lights.size() || !plan.lights[index].drawn)
+        return invalidArgument("a group of the plan names light " + std::to_string(index) +
+                               ", which it does not draw; use the plan as plan() made it");
+    const PlannedLight& light = plan.lights[index];
+    if (light.light >= textures)
+        return invalidArgument("light " + std::to_string(light.light) + " has no entry in textures; give one for " +
+                               "each light that was planned");
+    if (std::size_t{light.firstIndex} + light.indexCount > plan.indices.size())
+        return invalidArgument("light " + std::to_string(light.light) +
+                               " uses indices that the plan does not have; use the plan as plan() made it");
+    return {};
+}
+
+/// Fills impl.draws. `neutral` becomes true where a light lacks what its technique reads.
+Result<void> resolve(Renderer::Impl& impl, const Plan& plan, const CompositeGroup& group,
+                     std::span<const LightTextures> textures, const PipelineTarget& target, bool& neutral) {
+    impl.draws.clear();
+    for (const std::size_t index : group.lights) {
+        if (auto checked = checkLight(plan, index, textures.size()); !checked) return checked;
+        const PlannedLight& light = plan.lights[index];
+        const permgen::Technique* technique = permgen::find_technique(slices::effect, light.technique);
+        if (!technique)
+            return invalidArgument("slices.fx has no technique " + std::string(light.technique) +
+                                   "; techniqueName() gives those that exist");
+        const auto pipeline =
+            pipelineFor(impl.gpu, impl.pipelines, *technique, target, sliceElements, impl.counters.pipelinesCreated);
+        if (!pipeline) return tl::unexpected(pipeline.error());
+
+        Renderer::Impl::LightDraw draw{&light, *pipeline, {}};
+        for (std::size_t i = 0; i < lightSamplers.size(); ++i) {
+            const LightSampler& sampler = lightSamplers[i];
+            draw.images[i] = {sampler.name, textures[light.light].*sampler.view,
+                              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+            if (draw.images[i].view || !permgen::is_live(technique->passes[0], sampler.name)) continue;
+            const auto texture =
+                neutralTexture(impl.gpu, impl.neutral, sampler.neutral, impl.counters.neutralTexturesCreated);
+            if (!texture) return tl::unexpected(texture.error());
+            draw.images[i].view = (*texture)->view;
+            neutral = true;
+        }
+        impl.draws.push_back(draw);
+    }
+    return {};
+}
+
+void beginAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
+    // The previous group's composite may still read the image, and an earlier frame's pass write it.
+    VkImageMemoryBarrier2 barrier = imageBarrier(targets.accumulation, VK_IMAGE_ASPECT_COLOR_BIT);
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    recordBarrier(commands, barrier);
+
+    VkRenderingAttachmentInfo colour{};
+    colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    colour.imageView = targets.accumulationView;
+    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingAttachmentInfo depth{};
+    depth.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    depth.imageView = targets.depth;
+    depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL;
+    depth.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    depth.storeOp = VK_ATTACHMENT_STORE_OP_NONE;  // STORE would count as a write
+    VkRenderingInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    rendering.renderArea = {{0, 0}, targets.extent};
+    rendering.layerCount = 1;
+    rendering.colorAttachmentCount = 1;
+    rendering.pColorAttachments = &colour;
+    rendering.pDepthAttachment = targets.depth ? &depth : nullptr;
+    vkCmdBeginRendering(commands, &rendering);
+}
+
+void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
+    vkCmdEndRendering(commands);
+    VkImageMemoryBarrier2 barrier = imageBarrier(targets.accumulation, VK_IMAGE_ASPECT_COLOR_BIT);
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    recordBarrier(commands, barrier);
+}
+
+/// Errors cannot occur once the images are resolved, but for a live resource that slices.fx gained.
+Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const Plan& plan,
+                        const UploadedPlan& uploaded) {
+    VkPipeline bound = VK_NULL_HANDLE;
+    for (const Renderer::Impl::LightDraw& draw : impl.draws) {
+        if (draw.pipeline.handle != bound) {
+            bound = draw.pipeline.handle;
+            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound);
+        }
+        const FrameRange& constants = uploaded.constants[static_cast<std::size_t>(draw.light - plan.lights.data())];
+        const auto pushed = pushLive(impl.gpu, commands, *draw.pipeline.layout,
+                                     {constants.buffer, constants.offset, sizeof(SliceConstants)}, draw.images);
+        if (!pushed) return tl::unexpected(pushed.error());
+        vkCmdDrawIndexed(commands, draw.light->indexCount, 1, draw.light->firstIndex, 0, 0);
+        ++impl.counters.draws;
+        impl.counters.descriptorsPushed += *pushed;
+        impl.counters.slicesDrawn += static_cast<std::uint64_t>(draw.light->slices);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> Renderer::recordAccumulation(VkCommandBuffer commands, FrameData& frame, const Plan& plan,
+                                          std::size_t group, std::span<const LightTextures> textures,
+                                          const ShaftTargets& targets) {
+    const auto data = useFrame(impl_->gpu, frame.impl_.get());
+    if (!data) return tl::unexpected(data.error());
+    if (auto checked = checkRecording(**data, plan, group, targets); !checked) return checked;
+    const UploadedPlan& uploaded = *(*data)->plan;
+
+    const PipelineTarget target{accumulationFormat(plan.accumulation),
+                                targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED, targets.depthCompare};
+    bool neutral = false;
+    if (auto resolved = resolve(*impl_, plan, plan.groups[group], textures, target, neutral); !resolved)
+        return resolved;
+
+    if (neutral) recordNeutralFill(commands, impl_->neutral);
+    beginAccumulation(commands, targets);
+    setViewport(commands, targets.extent);
+    bindVertices(commands, uploaded.vertices.buffer, uploaded.vertices.offset, sizeof(SliceVertex));
+    vkCmdBindIndexBuffer(commands, uploaded.indices.buffer, uploaded.indices.offset, VK_INDEX_TYPE_UINT32);
+    auto drawn = drawLights(*impl_, commands, plan, uploaded);
+    endAccumulation(commands, targets);
+    return drawn;
+}
+
+}  // namespace tyndall

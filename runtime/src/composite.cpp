@@ -1,0 +1,110 @@
+// Adds an accumulated group to the picture.
+#include <cstddef>
+
+#include "barriers.h"
+#include "composite_data.h"
+#include "effects.h"
+#include "member_check.h"
+#include "renderer_impl.h"
+
+namespace tyndall {
+namespace {
+
+static_assert(memberIs(composite::effect, "gTint", offsetof(CompositeConstants, tint), 16));
+static_assert(memberIs(composite::effect, "gTexel", offsetof(CompositeConstants, texel), 16));
+static_assert(memberIs(composite::effect, "gDepth", offsetof(CompositeConstants, depth), 16));
+static_assert(blockIs(composite::effect, sizeof(CompositeConstants)));
+
+constexpr std::array<VertexElement, 1> screenElements{{{"POSITION0", 0, VK_FORMAT_R32G32_SFLOAT}}};
+
+std::string_view techniqueFor(bool routed, bool blur) {
+    if (routed) return blur ? "routed_blur_technique" : "routed_noblur_technique";
+    return blur ? "plain_blur_technique" : "plain_noblur_technique";
+}
+
+/// The blur measures in reversed depth; a caller whose nearer surfaces have the smaller depth gets it turned round.
+bool isReversed(VkCompareOp compare) {
+    return compare != VK_COMPARE_OP_LESS && compare != VK_COMPARE_OP_LESS_OR_EQUAL;
+}
+
+CompositeConstants constantsFor(const Plan& plan, const CompositeGroup& group, const ShaftTargets& targets) {
+    CompositeConstants constants{};
+    constants.tint = glm::vec4(glm::vec3(glm::dvec3(group.tint) / plan.scale), 0.0f);
+    constants.texel = {1.0f / static_cast<float>(targets.extent.width),
+                       1.0f / static_cast<float>(targets.extent.height), 0.0f, 0.0f};
+    constants.depth =
+        isReversed(targets.depthCompare) ? glm::vec4(0.0f, 1.0f, 0.0f, 0.0f) : glm::vec4(1.0f, -1.0f, 0.0f, 0.0f);
+    return constants;
+}
+
+void beginComposite(VkCommandBuffer commands, const ShaftTargets& targets) {
+    // The scene's pass, or the previous group's composite, wrote the picture that is blended into.
+    VkMemoryBarrier2 barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    recordBarrier(commands, barrier);
+
+    VkRenderingAttachmentInfo colour{};
+    colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    colour.imageView = targets.colour;
+    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    rendering.renderArea = {{0, 0}, targets.extent};
+    rendering.layerCount = 1;
+    rendering.colorAttachmentCount = 1;
+    rendering.pColorAttachments = &colour;
+    vkCmdBeginRendering(commands, &rendering);
+}
+
+}  // namespace
+
+Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& frame, const Plan& plan, std::size_t group,
+                                       const ShaftTargets& targets) {
+    const auto used = useFrame(impl_->gpu, frame.impl_.get());
+    if (!used) return tl::unexpected(used.error());
+    FrameData::Impl& data = **used;
+    if (auto checked = checkRecording(data, plan, group, targets); !checked) return checked;
+    if (!targets.colour) return invalidArgument("the targets have no colour view; give one to composite into");
+    if (targets.blur && !targets.depth)
+        return invalidArgument("the blur needs the scene's depth, which the targets lack; give it or switch blur off");
+    if (!(plan.scale > 0.0)) return invalidArgument("the plan's scale is not above 0; use the plan as plan() made it");
+
+    const bool routed = plan.accumulation == Accumulation::Rgba8Routed;
+    const permgen::Technique* technique =
+        permgen::find_technique(composite::effect, techniqueFor(routed, targets.blur));
+    RendererCounters& counters = impl_->counters;
+    const auto pipeline = pipelineFor(impl_->gpu, impl_->pipelines, *technique,
+                                      {targets.colourFormat, VK_FORMAT_UNDEFINED, VK_COMPARE_OP_ALWAYS}, screenElements,
+                                      counters.pipelinesCreated);
+    if (!pipeline) return tl::unexpected(pipeline.error());
+    const auto constants = placeValue(data, constantsFor(plan, plan.groups[group], targets), counters);
+    if (!constants) return tl::unexpected(constants.error());
+
+    const std::array<NamedImage, 2> images{{
+        {"AccumulationSampler", targets.accumulationView, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+        {"SceneDepthSampler", targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL},
+    }};
+    beginComposite(commands, targets);
+    setViewport(commands, targets.extent);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
+    const FrameRange& triangle = data.plan->screenTriangle;
+    bindVertices(commands, triangle.buffer, triangle.offset, sizeof(glm::vec2));
+    const auto pushed = pushLive(impl_->gpu, commands, *pipeline->layout,
+                                 {constants->buffer, constants->offset, sizeof(CompositeConstants)}, images);
+    if (pushed) {
+        vkCmdDraw(commands, 3, 1, 0, 0);
+        ++counters.draws;
+        counters.descriptorsPushed += *pushed;
+    }
+    vkCmdEndRendering(commands);
+    if (!pushed) return tl::unexpected(pushed.error());
+    return {};
+}
+
+}  // namespace tyndall

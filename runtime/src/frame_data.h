@@ -1,0 +1,54 @@
+// Where a frame's vertices, indices and constants lie: host-visible memory, handed out front to back.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gpu.h"
+
+namespace tyndall {
+
+struct FrameRange {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0;
+};
+
+/// What upload() left for record().
+struct UploadedPlan {
+    FrameRange vertices, indices, screenTriangle;
+    std::vector<FrameRange> constants;  ///< one for each of the plan's lights
+    std::size_t vertexCount = 0, indexCount = 0;
+};
+
+struct FrameData::Impl {
+    struct Block {
+        VkBuffer buffer = VK_NULL_HANDLE;
+        VkDeviceMemory memory = VK_NULL_HANDLE;
+        VkDeviceSize size = 0;       ///< bytes handed out at most
+        VkDeviceSize allocated = 0;  ///< bytes of device memory
+        std::byte* mapped = nullptr;
+    };
+
+    Gpu gpu;  ///< of the renderer that used it first
+    std::vector<Block> blocks;
+    VkDeviceSize used = 0;  ///< of the last block
+    std::optional<UploadedPlan> plan;
+
+    Impl() = default;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl();
+};
+
+/// Forgets everything and makes room for `bytes` in one block.
+Result<void> resetFrame(FrameData::Impl& frame, VkDeviceSize bytes);
+
+/// Bytes that `size` bytes take up at most, alignment included.
+VkDeviceSize frameBytes(const Gpu& gpu, VkDeviceSize size);
+
+/// Copies `bytes` to where the GPU reads them; may be empty.
+Result<FrameRange> place(FrameData::Impl& frame, std::span<const std::byte> bytes);
+
+}  // namespace tyndall

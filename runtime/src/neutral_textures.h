@@ -1,0 +1,37 @@
+// 1x1 textures that leave a light as it is, for techniques that were forced on lights which lack what
+// they read.
+#pragma once
+
+#include <array>
+
+#include "gpu.h"
+
+namespace tyndall {
+
+struct NeutralTexture {
+    VkImage image = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+    bool depth = false;
+};
+
+enum class Neutral : std::size_t {
+    White,     ///< a cookie that lets all light through; noise of product 1
+    NoShadow,  ///< a reversed shadow map with nothing in it
+};
+
+struct NeutralTextures {
+    std::array<NeutralTexture, 2> textures;  ///< by Neutral
+};
+
+/// The texture, made on first use (`created` then grows by one).
+Result<const NeutralTexture*> neutralTexture(const Gpu& gpu, NeutralTextures& textures, Neutral which,
+                                             std::uint64_t& created);
+
+/// Records the filling of every texture that was made, outside of rendering; leaves them in
+/// SHADER_READ_ONLY_OPTIMAL. Repeating it costs less than remembering which submissions really ran.
+void recordNeutralFill(VkCommandBuffer commands, const NeutralTextures& textures);
+
+void destroyNeutralTextures(const Gpu& gpu, NeutralTextures& textures);
+
+}  // namespace tyndall

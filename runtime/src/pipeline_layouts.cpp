@@ -1,0 +1,119 @@
+#include "pipeline_layouts.h"
+
+#include "samplers.h"
+
+namespace tyndall {
+namespace {
+
+VkDescriptorType descriptorType(permgen::ResourceKind kind) {
+    return kind == permgen::ResourceKind::UniformBuffer ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                                        : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+}
+
+Result<void> checkLive(const permgen::Pass& pass, std::string_view name) {
+    if (pass.live.size() > maxLiveResources)
+        return invalidArgument("the technique " + std::string(name) + " binds more than " +
+                               std::to_string(maxLiveResources) + " resources; use fewer");
+    for (const permgen::Resource* resource : pass.live)
+        if (resource->set != 0)
+            return invalidArgument("the resource " + std::string(resource->name) + " of " + std::string(name) +
+                                   " is in descriptor set " + std::to_string(resource->set) +
+                                   "; the renderer binds set 0 only");
+    return {};
+}
+
+Result<void> createSamplers(const Gpu& gpu, PassLayout& layout) {
+    layout.samplers.assign(layout.pass->live.size(), VK_NULL_HANDLE);
+    for (std::size_t i = 0; i < layout.samplers.size(); ++i) {
+        const permgen::Resource& resource = *layout.pass->live[i];
+        if (resource.kind != permgen::ResourceKind::CombinedImageSampler) continue;
+        const auto info = samplerInfo(resource.sampler_states);
+        if (!info) return invalidArgument(std::string(resource.name) + ": " + info.error().message);
+        const VkResult result = vkCreateSampler(gpu.device, &*info, nullptr, &layout.samplers[i]);
+        if (result != VK_SUCCESS) return vulkanError("vkCreateSampler", result);
+        setName(gpu, VK_OBJECT_TYPE_SAMPLER, layout.samplers[i], resource.name);
+    }
+    return {};
+}
+
+Result<void> createLayouts(const Gpu& gpu, PassLayout& layout, std::string_view name) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    for (const permgen::Resource* resource : layout.pass->live) {
+        VkDescriptorSetLayoutBinding binding{};
+        binding.binding = resource->binding;
+        binding.descriptorType = descriptorType(resource->kind);
+        binding.descriptorCount = 1;
+        binding.stageFlags = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+        bindings.push_back(binding);
+    }
+    VkDescriptorSetLayoutCreateInfo setInfo{};
+    setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+    setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
+    setInfo.pBindings = bindings.data();
+    VkResult result = vkCreateDescriptorSetLayout(gpu.device, &setInfo, nullptr, &layout.set);
+    if (result != VK_SUCCESS) return vulkanError("vkCreateDescriptorSetLayout", result);
+    setName(gpu, VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, layout.set, name);
+
+    VkPipelineLayoutCreateInfo pipelineInfo{};
+    pipelineInfo.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    pipelineInfo.setLayoutCount = 1;
+    pipelineInfo.pSetLayouts = &layout.set;
+    result = vkCreatePipelineLayout(gpu.device, &pipelineInfo, nullptr, &layout.pipeline);
+    if (result != VK_SUCCESS) return vulkanError("vkCreatePipelineLayout", result);
+    setName(gpu, VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout.pipeline, name);
+    return {};
+}
+
+}  // namespace
+
+Result<PassLayout> createLayout(const Gpu& gpu, const permgen::Pass& pass, std::string_view name) {
+    if (auto checked = checkLive(pass, name); !checked) return tl::unexpected(checked.error());
+    PassLayout layout;
+    layout.pass = &pass;
+    auto made = createSamplers(gpu, layout);
+    if (made) made = createLayouts(gpu, layout, name);
+    if (!made) {
+        destroyLayout(gpu, layout);
+        return tl::unexpected(made.error());
+    }
+    return layout;
+}
+
+void destroyLayout(const Gpu& gpu, PassLayout& layout) {
+    vkDestroyPipelineLayout(gpu.device, layout.pipeline, nullptr);
+    vkDestroyDescriptorSetLayout(gpu.device, layout.set, nullptr);
+    for (VkSampler sampler : layout.samplers) vkDestroySampler(gpu.device, sampler, nullptr);
+    layout = {};
+}
+
+Result<std::uint32_t> pushLive(const Gpu& gpu, VkCommandBuffer commands, const PassLayout& layout,
+                               const VkDescriptorBufferInfo& uniforms, std::span<const NamedImage> images) {
+    std::array<VkWriteDescriptorSet, maxLiveResources> writes{};
+    std::array<VkDescriptorImageInfo, maxLiveResources> infos{};
+    std::uint32_t count = 0;
+    for (const permgen::Resource* resource : layout.pass->live) {
+        VkWriteDescriptorSet& write = writes[count];
+        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        write.dstBinding = resource->binding;
+        write.descriptorCount = 1;
+        write.descriptorType = descriptorType(resource->kind);
+        if (resource->kind == permgen::ResourceKind::UniformBuffer) {
+            write.pBufferInfo = &uniforms;
+        } else {
+            const NamedImage* found = nullptr;
+            for (const NamedImage& image : images)
+                if (image.sampler == resource->name) found = &image;
+            if (!found || !found->view)
+                return invalidArgument("the sampler " + std::string(resource->name) + " has no image to read");
+            infos[count] = {layout.samplers[count], found->view, found->layout};
+            write.pImageInfo = &infos[count];
+        }
+        ++count;
+    }
+    if (count > 0)
+        gpu.pushDescriptorSet(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout.pipeline, 0, count, writes.data());
+    return count;
+}
+
+}  // namespace tyndall

@@ -1,0 +1,56 @@
+// What a Renderer holds, shared by the files that implement its functions.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "frame_data.h"
+#include "gpu.h"
+#include "neutral_textures.h"
+#include "pipelines.h"
+
+namespace tyndall {
+
+struct Renderer::Impl {
+    Gpu gpu;
+    PipelineStore pipelines;
+    NeutralTextures neutral;
+    RendererCounters counters;
+
+    /// A light of the group being recorded, resolved before rendering begins.
+    struct LightDraw {
+        const PlannedLight* light = nullptr;
+        Pipeline pipeline;
+        std::array<NamedImage, 3> images{};
+    };
+    std::vector<LightDraw> draws;  ///< kept between calls for its capacity
+
+    Impl() = default;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl();
+};
+
+/// The frame's data, tied to this device on first use.
+/// Errors: InvalidArgument for a frame that was moved from or belongs to another device.
+Result<FrameData::Impl*> useFrame(const Gpu& gpu, FrameData::Impl* frame);
+
+/// Copies one value and counts its bytes.
+template <class Value>
+Result<FrameRange> placeValue(FrameData::Impl& frame, const Value& value, RendererCounters& counters) {
+    counters.bytesUploaded += sizeof value;
+    return place(frame, std::as_bytes(std::span(&value, 1)));
+}
+
+/// Viewport and scissor over the whole of `extent`.
+void setViewport(VkCommandBuffer commands, VkExtent2D extent);
+
+void bindVertices(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize stride);
+
+/// Errors: InvalidArgument where the targets are not complete, where the group is not in the plan, or where
+/// another plan, or none, was uploaded into the frame.
+Result<void> checkRecording(const FrameData::Impl& frame, const Plan& plan, std::size_t group,
+                            const ShaftTargets& targets);
+
+}  // namespace tyndall

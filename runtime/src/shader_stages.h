@@ -1,0 +1,45 @@
+// A pass's shaders as pipeline stages.
+#pragma once
+
+#include <permgen/tables.h>
+
+#include <array>
+#include <vector>
+
+#include "gpu.h"
+
+namespace tyndall {
+
+/// Holds the shader modules and specialization of one pipeline while it is created.
+class ShaderStages {
+public:
+    explicit ShaderStages(const Gpu& gpu) : gpu_(gpu) {}
+    ShaderStages(const ShaderStages&) = delete;
+    ShaderStages& operator=(const ShaderStages&) = delete;
+    ~ShaderStages();
+
+    /// Once for each object. The frozen module is taken where the table has one: it names live resources
+    /// only, as the layout does. Else the module's constants are specialized.
+    Result<void> load(const permgen::Pass& pass);
+
+    std::uint32_t count() const { return count_; }
+    const VkPipelineShaderStageCreateInfo* data() const { return stages_.data(); }
+
+private:
+    /// What VkSpecializationInfo points to.
+    struct Specialization {
+        VkSpecializationInfo info{};
+        std::vector<VkSpecializationMapEntry> entries;
+        std::vector<std::uint32_t> values;
+    };
+
+    Result<void> add(const permgen::Shader& shader, VkShaderStageFlagBits stage);
+
+    const Gpu& gpu_;
+    std::uint32_t count_ = 0;
+    std::array<VkPipelineShaderStageCreateInfo, 2> stages_{};
+    std::array<Specialization, 2> specializations_{};
+    std::array<std::string, 2> entries_;
+};
+
+}  // namespace tyndall

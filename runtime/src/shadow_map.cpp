@@ -1,0 +1,96 @@
+// Draws what a light sees, depth only.
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "effects.h"
+#include "member_check.h"
+#include "renderer_impl.h"
+
+namespace tyndall {
+namespace {
+
+static_assert(memberIs(shadow_map::effect, "gClipFromMesh", 0, sizeof(glm::mat4)));
+static_assert(blockIs(shadow_map::effect, sizeof(glm::mat4)));
+
+constexpr std::array<VertexElement, 1> occluderElements{{{"POSITION0", 0, VK_FORMAT_R32G32B32_SFLOAT}}};
+
+Result<void> checkShadowMap(const Light& light, std::span<const Occluder> occluders, VkImageView map,
+                            std::uint32_t size) {
+    const std::string whose = "the shadow map of light '" + light.name + "'";
+    if (!map) return invalidArgument(whose + " has no view; give a depth view to draw to");
+    if (size == 0) return invalidArgument(whose + " is 0 texels wide; give it at least one");
+    const auto isAngle = [](double angle) { return angle > 0.0 && angle < std::numbers::pi; };
+    if (!isAngle(light.fov.x) || !isAngle(light.fov.y))
+        return invalidArgument(whose + " needs a field of view above 0 and below 180 degrees both ways");
+    if (!(light.nearPlane > 0.0) || !(light.farPlane > light.nearPlane) || !std::isfinite(light.farPlane))
+        return invalidArgument(whose + " needs 0 < near < far, both finite");
+    for (const Occluder& occluder : occluders) {
+        if (occluder.indexCount == 0) continue;
+        if (!occluder.vertices || !occluder.indices)
+            return invalidArgument("an occluder in " + whose + " has no vertex or index buffer; give both");
+        if (occluder.vertexStride < 12 || occluder.vertexStride % 4 != 0)
+            return invalidArgument("an occluder in " + whose + " has vertices " +
+                                   std::to_string(occluder.vertexStride) +
+                                   " bytes apart; they must be 12 or more, in steps of 4");
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& frame, const Light& light,
+                                       std::span<const Occluder> occluders, VkImageView map, VkFormat format,
+                                       std::uint32_t size) {
+    const auto data = useFrame(impl_->gpu, frame.impl_.get());
+    if (!data) return tl::unexpected(data.error());
+    if (auto checked = checkShadowMap(light, occluders, map, size); !checked) return checked;
+    RendererCounters& counters = impl_->counters;
+    const permgen::Technique& technique = shadow_map::effect.techniques[0];
+    const auto pipeline =
+        pipelineFor(impl_->gpu, impl_->pipelines, technique, {VK_FORMAT_UNDEFINED, format, VK_COMPARE_OP_GREATER},
+                    occluderElements, counters.pipelinesCreated);
+    if (!pipeline) return tl::unexpected(pipeline.error());
+
+    VkRenderingAttachmentInfo depth{};
+    depth.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    depth.imageView = map;
+    depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+    depth.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    depth.clearValue.depthStencil.depth = 0.0f;
+    VkRenderingInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    rendering.renderArea = {{0, 0}, {size, size}};
+    rendering.layerCount = 1;
+    rendering.pDepthAttachment = &depth;
+    vkCmdBeginRendering(commands, &rendering);
+    setViewport(commands, {size, size});
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
+
+    // In double all the way: far from the origin, world coordinates in float would be off by millimetres.
+    const glm::dmat4 clipFromWorld = lightClipFromLight(light) * glm::inverse(light.worldFromLight);
+    Result<void> drawn;
+    for (const Occluder& occluder : occluders) {
+        if (occluder.indexCount == 0) continue;
+        const glm::mat4 clipFromMesh(clipFromWorld * occluder.worldFromMesh);
+        const auto constants = placeValue(**data, clipFromMesh, counters);
+        const auto pushed = constants.and_then([&](const FrameRange& range) {
+            return pushLive(impl_->gpu, commands, *pipeline->layout, {range.buffer, range.offset, sizeof clipFromMesh},
+                            {});
+        });
+        if (!pushed) {
+            drawn = tl::unexpected(pushed.error());
+            break;
+        }
+        bindVertices(commands, occluder.vertices, occluder.vertexOffset, occluder.vertexStride);
+        vkCmdBindIndexBuffer(commands, occluder.indices, occluder.indexOffset, VK_INDEX_TYPE_UINT32);
+        vkCmdDrawIndexed(commands, occluder.indexCount, 1, 0, 0, 0);
+        ++counters.draws;
+        counters.descriptorsPushed += *pushed;
+    }
+    vkCmdEndRendering(commands);
+    return drawn;
+}
+
+}  // namespace tyndall
