@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <map>
 
 #include "emit.h"
 
@@ -60,7 +61,7 @@ private:
     void module(std::size_t index);
     void resources();
     void members();
-    void frozen(const std::string& name, const SpirvWords& words);
+    void frozen(const SpirvWords& words);
     void shader_constants(const std::string& name, const LoweredShader& shader);
     std::string shader(const std::string& name, const LoweredShader& shader, const SpirvWords& frozen) const;
     void pass(std::size_t technique, std::size_t pass);
@@ -68,6 +69,7 @@ private:
 
     const Program& program_;
     const EmitOptions& options_;
+    std::map<SpirvWords, std::string> frozen_;  ///< names of those written so far; many passes share one
     std::string out_;
 };
 
@@ -128,6 +130,12 @@ void HeaderWriter::members() {
     line("}};\n");
 }
 
+void HeaderWriter::frozen(const SpirvWords& words) {
+    if (!options_.freeze || words.empty()) return;
+    const auto [entry, added] = frozen_.try_emplace(words, fmt::format("frozen_{}", frozen_.size()));
+    if (added) code(entry->second, words);
+}
+
 void HeaderWriter::shader_constants(const std::string& name, const LoweredShader& shader) {
     if (!open("permgen::Constant", name + "_constants", shader.constants.size())) return;
     for (const LoweredConstant& constant : shader.constants)
@@ -139,7 +147,7 @@ void HeaderWriter::shader_constants(const std::string& name, const LoweredShader
 std::string HeaderWriter::shader(const std::string& name, const LoweredShader& shader, const SpirvWords& frozen) const {
     if (shader.module < 0) return "{nullptr, {}, {}}";
     return fmt::format("{{&module_{}, {}, {}}}", shader.module, span_of(name + "_constants", shader.constants.size()),
-                       span_of(name + "_code", options_.freeze ? frozen.size() : 0));
+                       options_.freeze ? frozen_.at(frozen) : "{}");
 }
 
 void HeaderWriter::pass(std::size_t technique, std::size_t index) {
@@ -148,10 +156,8 @@ void HeaderWriter::pass(std::size_t technique, std::size_t index) {
     const std::string name = fmt::format("pass_{}_{}", technique, index);
     shader_constants(name + "_vertex", pass.vertex);
     shader_constants(name + "_pixel", pass.pixel);
-    if (options_.freeze) {
-        code(name + "_vertex_code", built.vertex.code);
-        code(name + "_pixel_code", built.pixel.code);
-    }
+    frozen(built.vertex.code);
+    frozen(built.pixel.code);
     if (open("const permgen::Resource*", name + "_live", built.live.size())) {
         for (const std::size_t live : built.live) line("    &resources[{}],", live);
         line("}};");
