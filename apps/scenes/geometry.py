@@ -36,8 +36,11 @@ class Part:
                 self.faces.append((a, b, b + width, a + width))
                 self.slots.append(slot)
 
-    def mesh(self, name, smooth_below=None):
-        """`smooth_below`: degrees between faces up to which an edge shades smoothly; None: flat."""
+    def mesh(self, name, smooth_below=None, grain=None, turned=False):
+        """`smooth_below`: degrees between faces up to which an edge shades smoothly; None: flat.
+        `grain`: metres that one repeat of the material's texture covers; None: no texture coordinates.
+        `turned`: the grain runs round the vertical axis instead of straight at each face.
+        """
         mesh = bpy.data.meshes.new(name)
         mesh.from_pydata(self.vertices, [], self.faces)
         for material in self.materials:
@@ -48,10 +51,32 @@ class Part:
             mesh.use_auto_smooth = True
             mesh.auto_smooth_angle = math.radians(smooth_below)
         mesh.update()
+        if grain is not None:
+            layer = mesh.uv_layers.new(name="Grain")
+            for polygon in mesh.polygons:
+                corners = [mesh.vertices[v].co for v in polygon.vertices]
+                lift = around if turned and abs(polygon.normal.z) < 0.9 else straight
+                for loop, (u, v) in zip(polygon.loop_indices, lift(corners, polygon.normal)):
+                    layer.data[loop].uv = (u / grain, v / grain)
         return mesh
 
-    def place(self, name, smooth_below=None):
-        return place(name, self.mesh(name, smooth_below))
+    def place(self, name, smooth_below=None, grain=None):
+        return place(name, self.mesh(name, smooth_below, grain))
+
+
+def straight(corners, normal):
+    """Metres across and up a face, seen along the axis that it faces most."""
+    axis = max(range(3), key=lambda i: abs(normal[i]))
+    a, b = ((1, 2), (0, 2), (0, 1))[axis]
+    return [(c[a], c[b]) for c in corners]
+
+
+def around(corners, _):
+    """Metres round a column 0.4 m thick, and up it."""
+    angles = [math.atan2(c.y, c.x) for c in corners]
+    if max(angles) - min(angles) > math.pi:  # the face lies across the seam
+        angles = [a + 2 * math.pi if a < 0 else a for a in angles]
+    return [(0.4 * a, c.z) for a, c in zip(angles, corners)]
 
 
 def place(name, data, location=(0, 0, 0), rotation=(0, 0, 0)):

@@ -60,6 +60,13 @@ def dust(size=256, contrast=0.22):
     return png(numpy.rint(pixels * 255))
 
 
+def stone_grain(size=256):
+    """Grey, tileable, a little darker than white: multiplies a stone's colour."""
+    field = 0.86 + 0.05 * billows(size, 4, 3, 5) + 0.035 * billows(size, 24, 3, 17)
+    steps = numpy.rint(srgb(numpy.clip(field, 0.4, 1.0)) * 63) * (255 / 63)  # 64 greys suffice, and pack well
+    return png(numpy.repeat(numpy.rint(steps)[..., None], 3, axis=2))
+
+
 def srgb(linear):
     """IEC 61966-2-1."""
     return numpy.where(linear <= 0.0031308, linear * 12.92, 1.055 * numpy.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
