@@ -47,6 +47,11 @@ bool cutAll(ConvexPolyhedron& solid, const std::vector<glm::dvec4>& planes, doub
                        [&](const glm::dvec4& plane) { return cut(solid, plane, tolerance); });
 }
 
+bool holds(const glm::dvec4& plane, const ConvexPolyhedron& solid) {
+    return std::all_of(solid.vertices.begin(), solid.vertices.end(),
+                       [&](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) >= 0.0; });
+}
+
 double size(const ConvexPolyhedron& solid) {
     double most = 0.0;
     for (const glm::dvec3& p : solid.vertices) most = std::max(most, glm::length(p));
@@ -81,6 +86,7 @@ Hidden measure(LightVolume& volume, const Light& light, const View& view, const 
 
     ConvexPolyhedron visible = solid;
     if (!cutAll(visible, viewSides(view, 1.0), tolerance)) return Hidden::BesideView;
+    std::erase_if(volume.guard, [&](const glm::dvec4& plane) { return holds(plane, solid); });
     cutAll(solid, volume.guard, tolerance);
     volume.boundsMin = volume.boundsMax = glm::dvec2(solid.vertices.front());
     for (const glm::dvec3& p : solid.vertices) {

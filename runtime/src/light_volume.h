@@ -27,7 +27,7 @@ struct LightVolume {
     /// Unit normals, keeping dot(n, p) + d >= 0: left, right, bottom, top, near, far of the light's pyramid,
     /// then its clip planes.
     std::vector<glm::dvec4> planes;
-    /// Sides of the view's frustum, widened by guardBand.
+    /// Those sides of the view's frustum, widened by guardBand, that the volume crosses.
     std::vector<glm::dvec4> guard;
     double nearDepth = 0.0, farDepth = 0.0;     ///< metres of view depth
     glm::dvec2 boundsMin{0.0}, boundsMax{0.0};  ///< view-space x and y of what lies inside the guard band

@@ -25,7 +25,7 @@ constexpr glm::vec4 keepEverything{0.0f, 0.0f, 0.0f, 1.0f};
 // ten hours, and dust that jumps is seen.
 float phase(double turns) {
     const auto part = static_cast<float>(turns - std::floor(turns));
-    return part < 1.0f ? part : 0.0f;  // a part of 1 - 1e-9 rounds up to a whole turn
+    return part >= 1.0f ? 0.0f : part;  // a part of 1 - 1e-9 rounds up to a whole turn
 }
 
 glm::vec4 noiseMap(const glm::dvec2& scale, const glm::dvec2& scroll, double time) {

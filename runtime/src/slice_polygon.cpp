@@ -1,6 +1,6 @@
 #include "slice_polygon.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace tyndall {
 namespace {
@@ -15,22 +15,23 @@ void add(SlicePolygon& polygon, const glm::dvec2& corner) {
 
 // Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1), 1974, for one half plane
 // dot(normal, p) + offset >= 0. A corner on the line stays and makes no crossing, so none is doubled.
-void clip(SlicePolygon& polygon, const glm::dvec2& normal, double offset) {
+// Returns false, leaving `left` alone, where all of `whole` is kept.
+bool clip(const SlicePolygon& whole, const glm::dvec2& normal, double offset, SlicePolygon& left) {
     std::array<double, SlicePolygon::capacity> inside;
-    bool whole = true;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        inside[i] = glm::dot(normal, polygon.corners[i]) + offset;
-        whole = whole && inside[i] >= 0.0;
+    bool keptWhole = true;
+    for (std::size_t i = 0; i < whole.count; ++i) {
+        inside[i] = glm::dot(normal, whole.corners[i]) + offset;
+        keptWhole = keptWhole && inside[i] >= 0.0;
     }
-    if (whole) return;
-    SlicePolygon left;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const std::size_t next = i + 1 < polygon.count ? i + 1 : 0;
-        if (inside[i] >= 0.0) add(left, polygon.corners[i]);
+    if (keptWhole) return false;
+    left.count = 0;
+    for (std::size_t i = 0; i < whole.count; ++i) {
+        const std::size_t next = i + 1 < whole.count ? i + 1 : 0;
+        if (inside[i] >= 0.0) add(left, whole.corners[i]);
         if ((inside[i] > 0.0 && inside[next] < 0.0) || (inside[i] < 0.0 && inside[next] > 0.0))
-            add(left, glm::mix(polygon.corners[i], polygon.corners[next], inside[i] / (inside[i] - inside[next])));
+            add(left, glm::mix(whole.corners[i], whole.corners[next], inside[i] / (inside[i] - inside[next])));
     }
-    polygon = left;
+    return true;
 }
 
 // Drops corners that rounding made of one: three planes through a point cut it off twice.
@@ -48,17 +49,20 @@ void mergeCorners(SlicePolygon& polygon, double distance) {
 
 SlicePolygon slicePolygon(const glm::dvec2& rectangleMin, const glm::dvec2& rectangleMax,
                           std::span<const glm::dvec4> planes, double depth) {
-    SlicePolygon polygon;
-    add(polygon, rectangleMin);
-    add(polygon, {rectangleMax.x, rectangleMin.y});
-    add(polygon, rectangleMax);
-    add(polygon, {rectangleMin.x, rectangleMax.y});
-    for (const glm::dvec4& plane : planes) clip(polygon, glm::dvec2(plane), plane.w - plane.z * depth);
+    SlicePolygon buffers[2];
+    SlicePolygon* polygon = &buffers[0];
+    SlicePolygon* spare = &buffers[1];
+    add(*polygon, rectangleMin);
+    add(*polygon, {rectangleMax.x, rectangleMin.y});
+    add(*polygon, rectangleMax);
+    add(*polygon, {rectangleMin.x, rectangleMax.y});
+    for (const glm::dvec4& plane : planes)
+        if (clip(*polygon, glm::dvec2(plane), plane.w - plane.z * depth, *spare)) std::swap(polygon, spare);
 
     const double extent = glm::distance(rectangleMin, rectangleMax);
-    mergeCorners(polygon, 1e-12 * extent);
-    if (polygon.count < 3 || area(polygon) <= 1e-16 * extent * extent) polygon.count = 0;
-    return polygon;
+    mergeCorners(*polygon, 1e-12 * extent);
+    if (polygon->count < 3 || area(*polygon) <= 1e-16 * extent * extent) polygon->count = 0;
+    return *polygon;
 }
 
 double area(const SlicePolygon& polygon) {

@@ -10,8 +10,8 @@ namespace tyndall {
 
 struct SlicePolygon {
     /// A rectangle gains at most one corner from each half plane: 4 + 6 of the pyramid + 6 clip planes + 4 of
-    /// the guard band, and as much again to spare.
-    static constexpr std::size_t capacity = 40;
+    /// the guard band. Corners beyond the capacity, which only rounding could make, are dropped.
+    static constexpr std::size_t capacity = 24;
     std::array<glm::dvec2, capacity> corners;  ///< view-space x and y, counter-clockwise as the eye sees it
     std::size_t count = 0;                     ///< 0, or at least 3
 };

@@ -1,0 +1,125 @@
+// Which technique, and what a plan says about it.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "plan_scenes.h"
+
+namespace tyndall {
+namespace {
+
+using namespace test;
+
+TEST(Technique, IsNamedAfterExactlyItsTerms) {
+    std::set<std::string_view> names;
+    for (int bits = 0; bits < 8; ++bits) {
+        const bool noise = bits & 4, shadow = bits & 2, cookie = bits & 1;
+        const std::string expected = std::string("clip_") + (noise ? "" : "no") + "noise_" + (shadow ? "" : "no") +
+                                     "shadow_" + (cookie ? "" : "no") + "cookie_technique";
+        EXPECT_EQ(techniqueName(noise, shadow, cookie), expected);
+        names.insert(techniqueName(noise, shadow, cookie));
+    }
+    EXPECT_EQ(names.size(), 8u);
+}
+
+TEST(Technique, IsWhatTheLightCallsFor) {
+    Random random(1);
+    Scene scene = randomScene(random);
+    for (int bits = 0; bits < 8; ++bits) {
+        scene.light.noise = (bits & 4) ? std::optional(Noise{}) : std::nullopt;
+        scene.light.shadow = bits & 2;
+        scene.light.cookie = bits & 1;
+        const Plan result = planned({scene.light}, scene.view, slices(4));
+        const PlannedLight& light = result.lights[0];
+        EXPECT_EQ(light.technique, techniqueName(bits & 4, bits & 2, bits & 1));
+        EXPECT_EQ(light.noise, (bits & 4) != 0);
+        EXPECT_EQ(light.shadow, (bits & 2) != 0);
+        EXPECT_EQ(light.cookie, (bits & 1) != 0);
+    }
+}
+
+TEST(Technique, CanBeForced) {
+    Random random(2);
+    const Scene scene = randomScene(random);
+    PlanOptions options = slices(4);
+    {
+        const std::string shortLived = "clip_noise_shadow_cookie_technique";
+        options.technique = shortLived;
+        const Plan result = planned({scene.light}, scene.view, options);
+        EXPECT_EQ(result.lights[0].technique.data(), techniqueName(true, true, true).data()) << "outlives the options";
+        EXPECT_TRUE(result.lights[0].noise && result.lights[0].shadow && result.lights[0].cookie);
+        EXPECT_EQ(result.lights[0].reason,
+                  "The options ask for this technique; the light by itself calls for "
+                  "clip_nonoise_noshadow_nocookie_technique.");
+    }
+    options.technique = "clip_nonoise_noshadow_nocookie_technique";
+    EXPECT_EQ(planned({scene.light}, scene.view, options).lights[0].reason,
+              "The options ask for this technique, as does the light itself.");
+}
+
+TEST(Reason, TellsWhatIsSpared) {
+    Random random(3);
+    Scene scene = randomScene(random);
+    const auto reason = [&] { return planned({scene.light}, scene.view, slices(4)).lights[0].reason; };
+    EXPECT_EQ(reason(), "The light calls for none of noise, shadow and cookie.");
+    scene.light.cookie = true;
+    EXPECT_EQ(reason(), "The light calls for cookie, and not for noise and shadow.");
+    scene.light.shadow = true;
+    EXPECT_EQ(reason(), "The light calls for shadow and cookie, and not for noise.");
+    scene.light.noise = Noise{};
+    EXPECT_EQ(reason(), "The light calls for noise, shadow and cookie.");
+}
+
+struct UndrawnCase {
+    const char* word;  // in the reason
+    void (*change)(Scene&);
+};
+
+TEST(Reason, TellsWhyNothingIsDrawn) {
+    const UndrawnCase cases[] = {
+        {"black", [](Scene& s) { s.light.colour = glm::dvec3(0.0); }},
+        {"density", [](Scene& s) { s.light.density = 0.0; }},
+        {"intensity", [](Scene& s) { s.light.intensity = 0.0; }},
+        {"clip planes",
+         [](Scene& s) {
+             s.light.clipPlanes = {{0, 1, 0, -1000}};
+         }},
+        {"behind the eye", [](Scene& s) { s.light.worldFromLight[3] += s.view.worldFromView[2] * 100.0; }},
+        {"near plane at 100 m", [](Scene& s) { s.view.nearPlane = 100.0; }},
+        {"far plane at 0.02 m", [](Scene& s) { s.view.farPlane = 0.02; }},
+        {"surface at 0.02 m", [](Scene& s) { s.view.sceneDepth = 0.02; }},
+        {"sideways", [](Scene& s) { s.light.worldFromLight[3] += s.view.worldFromView[0] * 100.0; }},
+    };
+    for (const UndrawnCase& c : cases)
+        for (const Geometry geometry : {Geometry::ExactPolygons, Geometry::StretchedQuads}) {
+            Random random(4);
+            Scene scene = randomScene(random);
+            c.change(scene);
+            PlanOptions options = slices(4);
+            options.geometry = geometry;
+            const Plan result = planned({scene.light}, scene.view, options);
+            ASSERT_EQ(result.lights.size(), 1u);
+            const PlannedLight& light = result.lights[0];
+            EXPECT_FALSE(light.drawn) << c.word;
+            EXPECT_NE(light.reason.find(c.word), std::string::npos) << light.reason;
+            EXPECT_EQ(light.slices, 0);
+            EXPECT_EQ(light.indexCount, 0u);
+            EXPECT_TRUE(result.vertices.empty() && result.indices.empty() && result.groups.empty());
+        }
+}
+
+TEST(Reason, AmbientAloneIsEnoughToBeDrawn) {
+    Random random(5);
+    Scene scene = randomScene(random);
+    scene.light.intensity = 0.0;
+    scene.light.ambient = 1.0;
+    EXPECT_TRUE(planned({scene.light}, scene.view, slices(4)).lights[0].drawn);
+    scene.light.ambient = 0.0;
+    scene.light.density = 0.0;
+    PlanOptions options = slices(4);
+    options.look = Look::Article;  // has its own
+    EXPECT_TRUE(planned({scene.light}, scene.view, options).lights[0].drawn);
+}
+
+}  // namespace
+}  // namespace tyndall
