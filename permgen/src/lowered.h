@@ -3,15 +3,21 @@
 // specialize, reflect, emit): plain data, nothing of either side.
 #pragma once
 
+#include <permgen/tables.h>
+
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
-
-#include <permgen/tables.h>
 
 #include "diagnostic.h"
 
 namespace permgen {
+
+/// In front of author's names that glslang keeps for itself (`point`, `sampler`, ...): members and resources of
+/// such a name carry it in the SPIR-V, and lose it in what the author gets to see.
+inline constexpr std::string_view renamed_prefix = "permgen_id_";
 
 /// A specialization constant that the generated wrapper declares.
 struct LoweredAxis {
@@ -24,8 +30,8 @@ struct LoweredAxis {
 
 /// One input or output of an entry point, after semantics were resolved.
 struct LoweredAttribute {
-    std::string semantic;   ///< upper case with index: "TEXCOORD3", "COLOR0", "SV_POSITION", "SV_CLIPDISTANCE1"
-    bool builtin = false;   ///< a system value: has no location
+    std::string semantic;  ///< upper case with index: "TEXCOORD3", "COLOR0", "SV_POSITION", "SV_CLIPDISTANCE1"
+    bool builtin = false;  ///< a system value: has no location
     std::uint32_t location = 0;
     std::uint32_t components = 4;
     ScalarType type = ScalarType::Float;
@@ -44,8 +50,8 @@ struct LoweredResource {
 
 /// One entry point to compile. Equal entries of several techniques share one.
 struct LoweredModule {
-    std::string name;     ///< unique in the effect
-    std::string entry;    ///< the generated wrapper's name: the SPIR-V's entry point
+    std::string name;          ///< unique in the effect
+    std::string entry;         ///< the generated wrapper's name: the SPIR-V's entry point
     std::string author_entry;  ///< "ps_main"
     Stage stage;
     std::string profile;  ///< "ps_3_0", as written
@@ -54,7 +60,7 @@ struct LoweredModule {
     std::vector<LoweredAxis> axes;
     std::vector<LoweredAttribute> inputs;
     std::vector<LoweredAttribute> outputs;
-    Place place;          ///< of the entry function
+    Place place;  ///< of the entry function
 };
 
 struct LoweredConstant {
@@ -67,7 +73,7 @@ struct LoweredConstant {
 struct LoweredShader {
     int module = -1;  ///< index into Lowered::modules; -1: the pass has no such stage
     std::vector<LoweredConstant> constants;
-    Place place;      ///< of the `compile` expression
+    Place place;  ///< of the `compile` expression
 };
 
 struct LoweredPass {
@@ -89,7 +95,7 @@ struct Lowered {
     std::vector<LoweredModule> modules;
     std::vector<LoweredResource> resources;  ///< of the whole effect, in order of binding
     std::vector<LoweredTechnique> techniques;
-    std::vector<std::string> dependencies;   ///< every file read, the effect itself first
+    std::vector<std::string> dependencies;  ///< every file read, the effect itself first
 };
 
 /// Where to look for includes and what is defined before the first line.

@@ -1,0 +1,30 @@
+// The C preprocessor of HLSL: what `#` lines and macros leave of an effect.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lex.h"
+#include "lowered.h"
+
+namespace permgen {
+
+/// Bounds that keep any input finite; exceeding one is a diagnostic. Ordinary effects stay two orders of
+/// magnitude below each of them.
+inline constexpr int max_include_depth = 64;
+inline constexpr std::size_t max_output_tokens = 1u << 20;
+inline constexpr std::size_t max_preprocessing_steps = 1u << 24;
+inline constexpr int max_argument_depth = 64;  ///< macro calls within arguments of macro calls
+inline constexpr std::size_t max_reported_errors = 50;
+
+struct Preprocessed {
+    Tokens tokens;                          ///< ends with an End token, placed behind the effect's last one
+    std::vector<std::string> dependencies;  ///< every file read, in the order of first use, the effect first
+};
+
+/// Reads `path` and everything it includes. Every token keeps its author's place; one that a macro made has
+/// the place of the macro's use. Predefined: __FILE__, __LINE__ and PERMGEN (1).
+Preprocessed preprocess(const std::string& path, const SourceOptions& options, Sources& sources,
+                        Diagnostics& diagnostics);
+
+}  // namespace permgen
