@@ -18,15 +18,18 @@ def read(path):
     """Returns the JSON document and the bytes of its binary chunk."""
     with open(path, "rb") as file:
         data = file.read()
-    magic, version, length = struct.unpack_from("<III", data)
-    if magic != MAGIC or version != 2 or length != len(data):
-        raise ValueError(f"{path} is not a complete glTF 2.0 binary file")
-    chunks, at = {}, 12
-    while at < length:
-        size, kind = struct.unpack_from("<II", data, at)
-        chunks[kind] = data[at + 8:at + 8 + size]
-        at += 8 + size
-    document = json.loads(chunks[JSON_CHUNK])
+    try:
+        magic, version, length = struct.unpack_from("<III", data)
+        if magic != MAGIC or version != 2 or length != len(data):
+            raise ValueError
+        chunks, at = {}, 12
+        while at < length:
+            size, kind = struct.unpack_from("<II", data, at)
+            chunks[kind] = data[at + 8:at + 8 + size]
+            at += 8 + size
+        document = json.loads(chunks[JSON_CHUNK])
+    except (struct.error, KeyError, ValueError):
+        raise ValueError(f"{path} is not a complete glTF 2.0 binary file; export the scene as .glb again") from None
     used = document["buffers"][0]["byteLength"] if document.get("buffers") else 0
     return document, bytearray(chunks.get(BIN_CHUNK, b"")[:used])
 
@@ -77,7 +80,7 @@ def settings_of(document, node_name):
                 said = node.get("extras", {}).pop("tyndall", {}) if bearer is not node else {}
                 return bearer.setdefault("extras", {}).setdefault("tyndall", said)
     lights = ", ".join(repr(n.get("name")) for n in nodes if has_light(n)) or "none"
-    raise ValueError(f"no light stands on a node named {node_name!r}; lights here: {lights}")
+    raise ValueError(f"no light stands on a node named {node_name!r}; lights here: {lights}; name one of them")
 
 
 def main(arguments):
@@ -94,7 +97,10 @@ def main(arguments):
     settings = settings_of(document, options.light)
     for entry in options.set:
         key, _, value = entry.partition("=")
-        settings[key] = json.loads(value)
+        try:
+            settings[key] = json.loads(value)
+        except ValueError:
+            raise ValueError(f"--set {entry}: what stands after = must be JSON; put a word in double quotes") from None
     if options.cookie:
         with open(options.cookie, "rb") as file:
             settings["cookie"] = add_texture(document, binary, "Cookie", file.read())

@@ -48,7 +48,7 @@ def billows(size, first_cells, octaves, seed):
     return total / total.std()
 
 
-def dust(size=256, contrast=0.22):
+def dust(size=256, contrast=0.28):
     """Two tileable maps in red and green. Each has mean sqrt(0.3): drifting over each other their product
     has mean 0.3, so that a gain of 1/0.3 leaves the brightness of the air as it was."""
     pixels = numpy.zeros((size, size, 3))
@@ -69,7 +69,8 @@ def stone_grain(size=256):
 
 def srgb(linear):
     """IEC 61966-2-1."""
-    return numpy.where(linear <= 0.0031308, linear * 12.92, 1.055 * numpy.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055)
+    bright = 1.055 * numpy.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
+    return numpy.where(linear <= 0.0031308, linear * 12.92, bright)
 
 
 def slide(size, fov, colour_of, samples=3):
