@@ -1,0 +1,15 @@
+#include "commands.h"
+#include "report.h"
+
+namespace tyndall::app {
+
+Outcome<Said> explain(const ExplainOptions& options) {
+    const auto planned = planScene(options.view, options.shafts);
+    if (!planned) return tl::unexpected(planned.error());
+    Said said;
+    said.output = options.json ? planReport(*planned, options.view, options.shafts).dump(2) + "\n"
+                               : planText(*planned, options.view, options.shafts);
+    return said;
+}
+
+}  // namespace tyndall::app

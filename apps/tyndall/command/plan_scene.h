@@ -1,0 +1,27 @@
+// From a file and options to a plan: what `render` and `explain` have in common.
+#pragma once
+
+#include <tyndall/plan.h>
+
+#include <vector>
+
+#include "../options.h"
+#include "../scene/scene.h"
+
+namespace tyndall::app {
+
+struct PlannedScene {
+    Scene scene;
+    const Camera* camera = nullptr;  ///< in scene.cameras
+    View view;
+    std::vector<Light> lights;  ///< as planned, in the order of scene.lights
+    double range = 1.0;         ///< of 8-bit targets
+    Plan plan;
+};
+
+Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts);
+
+/// Plans again, for a view that now knows how deep the scene is.
+Outcome<void> planAgain(PlannedScene& planned, double sceneDepth, const ViewOptions& view, const ShaftOptions& shafts);
+
+}  // namespace tyndall::app

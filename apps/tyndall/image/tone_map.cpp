@@ -1,0 +1,52 @@
+#include "tone_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "srgb.h"
+
+namespace tyndall::app {
+namespace {
+
+constexpr double key = 0.18;
+/// Exposed value that becomes white: 22 times the key, about four and a half stops above it.
+constexpr double white = 4.0;
+/// Darker than this share of the brightest pixel is empty background, and says nothing about exposure.
+constexpr double unlit = 1e-5;
+
+double luminance(const glm::vec3& p) {
+    return 0.2126 * p.x + 0.7152 * p.y + 0.0722 * p.z;
+}  // Rec. 709
+
+}  // namespace
+
+double automaticExposure(const Picture& picture) {
+    double brightest = 0.0;
+    for (const glm::vec3& pixel : picture.pixels) brightest = std::max(brightest, luminance(pixel));
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const glm::vec3& pixel : picture.pixels)
+        if (const double value = luminance(pixel); value > unlit * brightest) {
+            sum += std::log2(value);
+            ++count;
+        }
+    return count == 0 ? 0.0 : std::log2(key) - sum / static_cast<double>(count);
+}
+
+double toneMap(double radiance, double exposureStops) {
+    const double c = std::max(radiance, 0.0) * std::exp2(exposureStops);
+    return std::min(c * (1.0 + c / (white * white)) / (1.0 + c), 1.0);
+}
+
+std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<double> exposureStops) {
+    const double stops = exposureStops.value_or(automaticExposure(picture));
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(3 * picture.pixels.size());
+    for (const glm::vec3& pixel : picture.pixels)
+        for (int c = 0; c < 3; ++c)
+            bytes.push_back(static_cast<std::uint8_t>(
+                std::lround(255.0f * srgbFromLinear(static_cast<float>(toneMap(pixel[c], stops))))));
+    return bytes;
+}
+
+}  // namespace tyndall::app

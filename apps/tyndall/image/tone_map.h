@@ -1,0 +1,27 @@
+// From radiance to what a screen shows.
+//
+// A pixel is multiplied by the exposure and each channel c goes through Reinhard's extended operator,
+// c (1 + c / w^2) / (1 + c), which keeps dark values as they are and brings w to white; then the sRGB
+// transfer function. Reinhard, Stark, Shirley, Ferwerda: "Photographic Tone Reproduction for Digital
+// Images", SIGGRAPH 2002, equations 1, 2 and 4.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "picture.h"
+
+namespace tyndall::app {
+
+/// Stops that bring the log-average luminance of the lit pixels to 0.18, the key of an ordinary photograph.
+/// 0 for a black picture.
+double automaticExposure(const Picture& picture);
+
+/// One channel, linear in [0, 1].
+double toneMap(double radiance, double exposureStops);
+
+/// RGB bytes. Absent stops: automaticExposure().
+std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<double> exposureStops);
+
+}  // namespace tyndall::app

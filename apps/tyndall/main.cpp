@@ -1,0 +1,38 @@
+// tyndall: light shafts from glTF scenes. Exit status: 0 done, 1 the work failed, 2 the command line is wrong.
+#include <fmt/core.h>
+
+#include <exception>
+
+#include "command/command_line.h"
+#include "command/commands.h"
+
+namespace {
+
+using namespace tyndall::app;
+
+int fails(int status, const std::string& sentence) {
+    fmt::print(stderr, "tyndall: error: {}\n", sentence);
+    return status;
+}
+
+Outcome<Said> run(const Request& request) {
+    if (const auto* options = std::get_if<RenderOptions>(&request)) return render(*options);
+    if (const auto* options = std::get_if<ExplainOptions>(&request)) return explain(*options);
+    return Said{std::get<Help>(request).text, {}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    const auto request = parseCommandLine(argc, argv);
+    if (!request) return fails(2, request.error());
+    const auto said = run(*request);
+    if (!said) return fails(1, said.error());
+    for (const std::string& note : said->notes) fmt::print(stderr, "tyndall: {}\n", note);
+    fmt::print("{}", said->output);
+    return 0;
+} catch (const std::bad_alloc&) {
+    return fails(1, "there is not enough memory; take a smaller --size or a smaller scene");
+} catch (const std::exception& unforeseen) {
+    return fails(1, unforeseen.what());
+}

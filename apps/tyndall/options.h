@@ -1,0 +1,66 @@
+// What can be asked of the program, after the command line was understood.
+#pragma once
+
+#include <tyndall/plan.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "outcome.h"
+
+namespace tyndall::app {
+
+struct Size {
+    std::uint32_t width = 640;
+    std::uint32_t height = 360;
+};
+
+/// Longest side of a picture: what Vulkan devices of today offer at least for render targets.
+constexpr std::uint32_t longestSide = 16384;
+
+enum class Layer {
+    All,     ///< surfaces and shafts
+    Shafts,  ///< the radiance of the shafts alone, hidden behind surfaces as ever
+};
+
+struct ViewOptions {
+    std::string scene;                  ///< path of the glTF file
+    std::optional<std::string> camera;  ///< by name; absent: the file's first
+    Size size;
+    double time = 0.0;  ///< seconds
+    Layer layer = Layer::All;
+};
+
+struct ShaftOptions {
+    std::optional<std::string> technique;
+    Accumulation accumulation = Accumulation::Rgba16f;
+    int planes = 100;
+    Geometry geometry = Geometry::ExactPolygons;
+    Look look = Look::Physical;
+    std::optional<double> range;  ///< absent: automaticRange()
+    std::uint32_t shadowSize = 1024;
+};
+
+struct RenderOptions {
+    ViewOptions view;
+    ShaftOptions shafts;
+    std::string output;
+    std::optional<double> exposure;  ///< stops; absent: from the picture
+    std::optional<std::string> stats;
+    bool validate = false;
+};
+
+struct ExplainOptions {
+    ViewOptions view;
+    ShaftOptions shafts;
+    bool json = false;
+};
+
+/// "640x360". Errors: anything else, a side of 0 or over longestSide.
+Outcome<Size> parseSize(const std::string& text);
+
+/// A name of slices.fx. Errors: another one; the message lists all.
+Outcome<void> checkTechnique(const std::string& name);
+
+}  // namespace tyndall::app

@@ -1,0 +1,69 @@
+#include "gpu_scene.h"
+
+#include <glm/gtc/packing.hpp>
+
+namespace tyndall::app {
+namespace {
+
+/// Half floats: linear filtering of them is there on every device (Vulkan 1.3, table 65), of full floats
+/// it is not, and 8 bits would band in dark linear values.
+constexpr VkFormat imageFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+Outcome<headless::Image> uploadImage(const headless::Device& device, const Image& source) {
+    auto image = headless::Image::create(device, {.extent = {source.width, source.height},
+                                                  .format = imageFormat,
+                                                  .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                                  .name = "scene texture"});
+    if (!image) return fail("a texture of {}x{}: {}", source.width, source.height, image.error().message);
+    std::vector<glm::uint64> texels(source.texels.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::packHalf4x16(source.texels[i]);
+    if (auto done = headless::upload(device, *image, std::as_bytes(std::span(texels))); !done)
+        return fail("a texture could not be uploaded: {}", done.error().message);
+    return std::move(*image);
+}
+
+template <class T>
+Outcome<headless::Buffer> hostBuffer(const headless::Device& device, const std::vector<T>& values,
+                                     VkBufferUsageFlags usage, std::string_view name) {
+    auto buffer = headless::Buffer::create(device, std::as_bytes(std::span(values)), usage, name);
+    if (!buffer) return fail("the scene's meshes could not be uploaded: {}", buffer.error().message);
+    return std::move(*buffer);
+}
+
+}  // namespace
+
+Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene) {
+    GpuScene gpu;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (const Mesh& mesh : scene.meshes) {
+        gpu.vertexOffset.push_back(vertices.size() * sizeof(Vertex));
+        gpu.indexOffset.push_back(indices.size() * sizeof(std::uint32_t));
+        vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+        indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+    }
+    if (!indices.empty()) {
+        auto vertexBuffer = hostBuffer(device, vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "scene vertices");
+        if (!vertexBuffer) return tl::unexpected(vertexBuffer.error());
+        auto indexBuffer = hostBuffer(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "scene indices");
+        if (!indexBuffer) return tl::unexpected(indexBuffer.error());
+        gpu.vertices = std::move(*vertexBuffer);
+        gpu.indices = std::move(*indexBuffer);
+    }
+    for (const Image& source : scene.images) {
+        auto image = uploadImage(device, source);
+        if (!image) return tl::unexpected(image.error());
+        gpu.images.push_back(std::move(*image));
+    }
+    for (const MeshInstance& instance : scene.instances)
+        gpu.occluders.push_back({.vertices = gpu.vertices.handle(),
+                                 .vertexOffset = gpu.vertexOffset[instance.mesh],
+                                 .vertexStride = sizeof(Vertex),
+                                 .indices = gpu.indices.handle(),
+                                 .indexOffset = gpu.indexOffset[instance.mesh],
+                                 .indexCount = static_cast<std::uint32_t>(scene.meshes[instance.mesh].indices.size()),
+                                 .worldFromMesh = instance.worldFromMesh});
+    return gpu;
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,33 @@
+// A planned scene drawn on a device, and read back.
+#pragma once
+
+#include <headless/device.h>
+#include <tyndall/renderer.h>
+
+#include "../command/plan_scene.h"
+#include "../image/picture.h"
+
+namespace tyndall::app {
+
+/// What a frame took. Times in milliseconds from submission to fence, by the host's clock.
+struct FrameStatistics {
+    double shadowMaps = 0.0, surfaces = 0.0, accumulate = 0.0, composite = 0.0;
+    std::uint64_t fragments = 0;  ///< shaded while slices were added, rounded up by some drivers
+    bool fragmentsKnown = false;  ///< false where the device does not count
+    RendererCounters shafts;
+    std::uint64_t surfaceDraws = 0, surfacePipelines = 0;
+    std::uint64_t deviceBytes = 0;     ///< most device memory held at once
+    std::uint64_t frameDataBytes = 0;  ///< of that, the slices' vertices, indices and constants
+};
+
+struct Frame {
+    Picture picture;
+    FrameStatistics statistics;
+};
+
+/// Draws `planned` (whose plan is made anew once the depth of the scene is known). `measure` adds the
+/// slices twice and times the second, so that no compilation is in the figure.
+Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned, const ViewOptions& view,
+                           const ShaftOptions& shafts, bool measure);
+
+}  // namespace tyndall::app

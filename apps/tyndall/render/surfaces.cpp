@@ -1,0 +1,184 @@
+#include "surfaces.h"
+
+#include <scene.fx.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace tyndall::app {
+namespace {
+
+/// Share of the lights' illuminance at the far side of the scene that comes back from everywhere: rooms
+/// are not black in their corners, and nothing here traces the second bounce.
+constexpr double ambientShare = 0.02;
+/// Ambient light from below, of that from above.
+constexpr float groundShare = 0.4f;
+
+/// Writes members of the effect's uniform block by name, where its layout has put them.
+class Uniforms {
+public:
+    explicit Uniforms(std::span<std::byte> bytes) : bytes_(bytes) {}
+    void set(std::string_view name, const float* values, std::size_t count) {
+        const permgen::Member* member = permgen::find_member(scene_effect::effect, name);
+        if (member != nullptr && member->offset + 4 * count <= bytes_.size())
+            std::memcpy(bytes_.data() + member->offset, values, 4 * count);
+    }
+    void set(std::string_view name, const glm::dmat4& matrix) {
+        const glm::mat4 narrow(matrix);
+        set(name, glm::value_ptr(narrow), 16);
+    }
+    void set(std::string_view name, const glm::dvec4& vector) {
+        const glm::vec4 narrow(vector);
+        set(name, glm::value_ptr(narrow), 4);
+    }
+
+private:
+    std::span<std::byte> bytes_;
+};
+
+std::uint32_t blockBytes() {
+    for (const permgen::Resource& resource : scene_effect::effect.resources)
+        if (resource.kind == permgen::ResourceKind::UniformBuffer) return resource.size;
+    return 0;
+}
+
+/// Radiance that a white surface sends back under ambient light.
+glm::dvec3 ambientRadiance(const Scene& scene, std::span<const Light> lights) {
+    if (scene.bounds.empty()) return glm::dvec3(0.0);
+    const double radius = 0.5 * glm::length(scene.bounds.maximum - scene.bounds.minimum);
+    glm::dvec3 intensity(0.0);
+    for (const Light& light : lights) intensity += light.intensity * light.colour;
+    return radius > 0.0 ? ambientShare / 3.14159265358979 * intensity / (radius * radius) : glm::dvec3(0.0);
+}
+
+void setLight(Uniforms& uniforms, const Light& light, const View& view, std::uint32_t shadowSize) {
+    uniforms.set("gLightFromView", glm::inverse(light.worldFromLight) * view.worldFromView);
+    uniforms.set("gIntensity", glm::dvec4(light.colour * light.intensity,
+                                          light.intensity > 0.0 ? light.ambient / light.intensity : 0.0));
+    uniforms.set("gRange", glm::dvec4(light.nearPlane, light.farPlane, 0.0, 0.0));
+    const glm::dvec2 reach = glm::tan(0.5 * light.fov);
+    uniforms.set("gCookieScale", glm::dvec4(0.5 / reach, 0.0, 0.0));
+    const double span =
+        light.farPlane - light.nearPlane;  // lightClipFromLight(): depth = (near far / axis - near) / span
+    uniforms.set("gShadow",
+                 glm::dvec4(-light.nearPlane / span, light.nearPlane * light.farPlane / span, shadowSize, 0.0));
+    uniforms.set("gTexel", glm::dvec4(2.0 * reach / static_cast<double>(shadowSize), 0.0, 0.0));
+}
+
+void setSurface(Uniforms& uniforms, const MeshInstance& instance, const Material& material, const View& view, bool lit,
+                const glm::dvec3& ambient) {
+    // In double up to here: what is left is relative to the eye, and small.
+    const glm::dmat4 viewFromMesh = glm::inverse(view.worldFromView) * instance.worldFromMesh;
+    uniforms.set("gClipFromMesh", view.clipFromView * viewFromMesh);
+    uniforms.set("gViewFromMesh", viewFromMesh);
+    uniforms.set("gViewFromNormal", glm::dmat4(glm::transpose(glm::inverse(glm::dmat3(viewFromMesh)))));
+    uniforms.set("gEye", view.orthographic ? glm::dvec4(0.0, 0.0, 1.0, 0.0) : glm::dvec4(0.0, 0.0, 0.0, 1.0));
+    uniforms.set("gUp",
+                 glm::dvec4(glm::inverse(glm::dmat3(view.worldFromView)) * glm::dvec3(0.0, 1.0, 0.0), groundShare));
+    if (!lit) return;
+    uniforms.set("gAlbedo", glm::dvec4(glm::dvec3(material.baseColour), 1.0));
+    uniforms.set("gEmission", glm::dvec4(glm::dvec3(material.emissive), 0.0));
+    uniforms.set("gAmbient", glm::dvec4(ambient, 0.0));
+}
+
+std::string lightTechnique(bool shadow, bool cookie, bool texture) {
+    return fmt::format("light_{}shadow_{}cookie_{}texture_technique", shadow ? "" : "no", cookie ? "" : "no",
+                       texture ? "" : "no");
+}
+
+}  // namespace
+
+Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, SurfacePipelines& pipelines, const Scene& scene,
+                                     const GpuScene& gpu, const View& view, std::span<const Light> lights,
+                                     std::span<const VkImageView> shadowMaps, std::uint32_t shadowSize, bool lit) {
+    SurfacePass pass;
+    if (scene.instances.empty()) return pass;
+    const VkDeviceSize alignment =
+        std::max<VkDeviceSize>(device.properties().limits.minUniformBufferOffsetAlignment, 16);
+    const VkDeviceSize block = (blockBytes() + alignment - 1) / alignment * alignment;
+    const std::size_t perInstance = 1 + (lit ? lights.size() : 0);
+    auto buffer =
+        headless::Buffer::create(device, block * perInstance * scene.instances.size(),
+                                 VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, headless::MemoryPlace::Host, "surface uniforms");
+    if (!buffer) return fail("the surfaces' constants: {}", buffer.error().message);
+    pass.uniforms = std::move(*buffer);
+    const std::span<std::byte> mapped = pass.uniforms.mapped();
+    std::ranges::fill(mapped, std::byte{0});
+
+    const glm::dvec3 ambient = ambientRadiance(scene, lights);
+    VkDeviceSize offset = 0;
+    for (std::size_t drawn = 0; drawn < perInstance; ++drawn)  // base passes first: they lay down depth
+        for (std::size_t i = 0; i < scene.instances.size(); ++i, offset += block) {
+            const MeshInstance& instance = scene.instances[i];
+            const Material& material = scene.meshes[instance.mesh].material;
+            const bool textured = material.baseTexture.has_value() && lit;
+            Uniforms uniforms(mapped.subspan(offset, blockBytes()));
+            setSurface(uniforms, instance, material, view, lit, ambient);
+            SurfaceDraw draw;
+            draw.instance = i;
+            draw.uniforms = {pass.uniforms.handle(), offset, blockBytes()};
+            if (textured) draw.images.push_back({"BaseColourSampler", gpu.images[*material.baseTexture].view()});
+            std::string technique = textured ? "base_texture_technique" : "base_notexture_technique";
+            if (drawn > 0) {
+                const std::size_t l = drawn - 1;
+                setLight(uniforms, lights[l], view, shadowSize);
+                const bool shadow = shadowMaps[l] != VK_NULL_HANDLE;
+                const std::optional<std::size_t> cookie = scene.lights[l].cookie;
+                if (shadow) draw.images.push_back({"ShadowMapSampler", shadowMaps[l]});
+                if (cookie) draw.images.push_back({"CookieSampler", gpu.images[*cookie].view()});
+                technique = lightTechnique(shadow, cookie.has_value(), textured);
+            }
+            auto pipeline = pipelines.get(technique);
+            if (!pipeline) return tl::unexpected(pipeline.error());
+            draw.pipeline = *pipeline;
+            pass.draws.push_back(std::move(draw));
+        }
+    return pass;
+}
+
+void recordSurfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfacePass& pass,
+                    const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets) {
+    VkRenderingAttachmentInfo colour{};
+    colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    colour.imageView = targets.colour;
+    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingAttachmentInfo depth = colour;
+    depth.imageView = targets.depth;
+    depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+    VkRenderingInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    rendering.renderArea = {{0, 0}, targets.extent};
+    rendering.layerCount = 1;
+    rendering.colorAttachmentCount = 1;
+    rendering.pColorAttachments = &colour;
+    rendering.pDepthAttachment = &depth;
+    vkCmdBeginRendering(commands, &rendering);
+    const VkViewport viewport{
+        0.0f, 0.0f, static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height), 0.0f, 1.0f};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
+    for (const SurfaceDraw& draw : pass.draws) {
+        const MeshInstance& instance = scene.instances[draw.instance];
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline->handle);
+        vkCmdSetCullMode(commands, mesh.material.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+        // glTF's front faces are counter-clockwise, mirrored instances' clockwise. Vulkan judges winding with
+        // y pointing down, and the projection turns y over to match, so the picture's own winding counts.
+        const bool mirrored = glm::determinant(glm::dmat3(instance.worldFromMesh)) < 0.0;
+        vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        pipelines.push(commands, *draw.pipeline, draw.uniforms, draw.images);
+        vkCmdBindVertexBuffers(commands, 0, 1, &gpu.occluders[draw.instance].vertices,
+                               &gpu.occluders[draw.instance].vertexOffset);
+        vkCmdBindIndexBuffer(commands, gpu.indices.handle(), gpu.indexOffset[instance.mesh], VK_INDEX_TYPE_UINT32);
+        vkCmdDrawIndexed(commands, static_cast<std::uint32_t>(mesh.indices.size()), 1, 0, 0, 0);
+    }
+    vkCmdEndRendering(commands);
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,49 @@
+#include "cone_cookie.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "texture.h"
+
+namespace tyndall::app {
+namespace {
+
+/// Texels a side without a given cookie: half a degree a texel would show in a 90 degree cone at 180;
+/// this is a fifth of a degree.
+constexpr std::uint32_t smallestSide = 512;
+/// Samples a side of each texel, so that the edge of a hard cone is smooth.
+constexpr int samples = 4;
+
+/// KHR_lights_punctual, "Inner and Outer Cone Angles".
+double falloff(double cosine, double inner, double outer) {
+    const double scale = 1.0 / std::max(0.001, std::cos(inner) - std::cos(outer));
+    const double share = std::clamp((cosine - std::cos(outer)) * scale, 0.0, 1.0);
+    return share * share;
+}
+
+}  // namespace
+
+Image bakeCone(double inner, double outer, const Image* given) {
+    Image image;
+    image.width = std::max(smallestSide, given != nullptr ? given->width : 0);
+    image.height = std::max(smallestSide, given != nullptr ? given->height : 0);
+    image.texels.resize(std::size_t{image.width} * image.height);
+    const double reach = std::tan(outer);
+    for (std::uint32_t row = 0; row < image.height; ++row)
+        for (std::uint32_t column = 0; column < image.width; ++column) {
+            double sum = 0.0;
+            for (int s = 0; s < samples * samples; ++s) {
+                const double x = reach * (2.0 * (column + (s % samples + 0.5) / samples) / image.width - 1.0);
+                const double y = reach * (2.0 * (row + (s / samples + 0.5) / samples) / image.height - 1.0);
+                sum += falloff(1.0 / std::sqrt(1.0 + x * x + y * y), inner, outer);
+            }
+            const auto cone = static_cast<float>(sum / (samples * samples));
+            const glm::vec4 slide =
+                given != nullptr ? sampleClamped(*given, (column + 0.5) / image.width, (row + 0.5) / image.height)
+                                 : glm::vec4(1.0f);
+            image.texels[std::size_t{row} * image.width + column] = glm::vec4(cone * glm::vec3(slide), 1.0f);
+        }
+    return image;
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,28 @@
+// The outside of a glTF file: the JSON text and, in a .glb, the binary chunk behind it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../outcome.h"
+
+namespace tyndall::app {
+
+struct Container {
+    std::vector<unsigned char> bytes;  ///< the whole file
+    std::size_t jsonOffset = 0, jsonLength = 0;
+    std::size_t binaryLength = 0;  ///< bytes of the binary chunk, 0 without one
+    bool binary = false;           ///< a .glb
+
+    std::string_view json() const { return {reinterpret_cast<const char*>(bytes.data()) + jsonOffset, jsonLength}; }
+};
+
+/// Reads the file and finds its chunks. GLB layout: glTF 2.0 specification, section 4.4.
+Outcome<Container> readContainer(const std::string& path);
+
+/// False where the JSON text nests deeper than any glTF needs; recursive readers would run out of stack.
+bool nestingIsSane(std::string_view json);
+
+}  // namespace tyndall::app

@@ -1,0 +1,38 @@
+// What extras.tyndall says about a light, as written: absent stays absent.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../outcome.h"
+
+namespace tyndall::app {
+
+struct NoiseExtras {
+    int texture = 0;
+    std::optional<glm::dvec2> scale, scroll1, scroll2;
+    std::optional<double> gain;
+};
+
+enum class Shape { Cone, Frustum };
+enum class Shadow { None, Static, Dynamic };
+
+struct LightExtras {
+    Shape shape = Shape::Cone;
+    std::optional<glm::dvec2> fovDegrees;
+    std::optional<double> nearPlane, farPlane, density, ambient;
+    std::optional<int> cookie;
+    Shadow shadow = Shadow::Static;
+    std::optional<NoiseExtras> noise;
+    std::vector<glm::dvec4> clipPlanes;
+};
+
+/// Reads the object; `place` names the light in messages. A key that has no meaning becomes a warning, a
+/// value of the wrong kind an error.
+Outcome<LightExtras> readLightExtras(const nlohmann::json& extras, const std::string& place,
+                                     std::vector<std::string>& warnings);
+
+}  // namespace tyndall::app

@@ -1,0 +1,156 @@
+#include "load_scene.h"
+
+#include <map>
+
+#include "cameras.h"
+#include "lights.h"
+#include "meshes.h"
+#include "pose.h"
+
+namespace tyndall::app {
+namespace {
+
+class Loader {
+public:
+    Loader(const Document& document, std::vector<std::optional<glm::dmat4>> poses)
+        : document_(document), poses_(std::move(poses)) {}
+
+    Outcome<Scene> load() {
+        for (auto step : {&Loader::readMeshes, &Loader::readCameras, &Loader::readLights})
+            if (auto done = (this->*step)(); !done) return tl::unexpected(done.error());
+        return std::move(scene_);
+    }
+
+private:
+    Outcome<void> readMeshes() {
+        std::map<int, std::pair<std::size_t, std::size_t>> known;  // glTF mesh: first and last of Scene::meshes
+        const ColourTexture colour = [this](int texture, const std::string& user) {
+            return image(texture, Encoding::Srgb, user);
+        };
+        for (std::size_t node = 0; node < model().nodes.size(); ++node) {
+            const int mesh = model().nodes[node].mesh;
+            if (mesh < 0 || !poses_[node]) continue;
+            if (model().nodes[node].skin >= 0)
+                scene_.warnings.push_back(nodeName(model(), node) + " has a skin; it is drawn in its rest shape");
+            if (!known.contains(mesh)) {
+                auto read = readMesh(model(), static_cast<std::size_t>(mesh), colour, scene_.warnings);
+                if (!read) return tl::unexpected(read.error());
+                const std::size_t first = scene_.meshes.size();
+                for (Mesh& part : *read) scene_.meshes.push_back(std::move(part));
+                known[mesh] = {first, scene_.meshes.size()};
+            }
+            for (std::size_t part = known[mesh].first; part < known[mesh].second; ++part) {
+                scene_.instances.push_back({part, *poses_[node]});
+                extend(scene_.meshes[part], *poses_[node]);
+            }
+        }
+        return {};
+    }
+
+    void extend(const Mesh& mesh, const glm::dmat4& pose) {
+        for (const std::uint32_t index : mesh.indices) {
+            const glm::dvec3 point(pose * glm::dvec4(glm::dvec3(mesh.vertices[index].position), 1.0));
+            scene_.bounds.minimum = glm::min(scene_.bounds.minimum, point);
+            scene_.bounds.maximum = glm::max(scene_.bounds.maximum, point);
+        }
+    }
+
+    Outcome<void> readCameras() {
+        for (std::size_t node = 0; node < model().nodes.size(); ++node) {
+            if (model().nodes[node].camera < 0 || !poses_[node]) continue;
+            auto camera = readCamera(model(), node, *poses_[node]);
+            if (!camera) return tl::unexpected(camera.error());
+            scene_.cameras.push_back(std::move(*camera));
+        }
+        if (scene_.cameras.empty()) return fail("holds no camera; add one and export the file with cameras");
+        return {};
+    }
+
+    Outcome<void> readLights() {
+        std::vector<std::optional<std::size_t>> parents(model().nodes.size());
+        for (std::size_t node = 0; node < model().nodes.size(); ++node)
+            for (const int child : model().nodes[node].children) parents[static_cast<std::size_t>(child)] = node;
+
+        for (std::size_t node = 0; node < model().nodes.size(); ++node) {
+            if (!poses_[node]) continue;
+            const std::optional<std::size_t> lamp = lampOf(node);
+            if (!lamp) continue;
+            const std::string& type = model().lights[*lamp].type;
+            if (type != "spot") {
+                ignore(node, type);
+                continue;
+            }
+            auto read = readSpotLight(document_, node, parents[node], *poses_[node], scene_.bounds, scene_.warnings);
+            if (!read) return tl::unexpected(read.error());
+            if (auto done = keep(std::move(*read)); !done) return tl::unexpected(done.error());
+        }
+        if (scene_.lights.empty() && scene_.ignoredLights.empty())
+            return fail("holds no light; add a spot light and export the file with punctual lights");
+        return {};
+    }
+
+    std::optional<std::size_t> lampOf(std::size_t node) const {
+        const nlohmann::json& source = document_.json["nodes"][node];
+        const nlohmann::json::json_pointer where("/extensions/KHR_lights_punctual/light");
+        if (!source.contains(where)) return std::nullopt;
+        return source[where].get<std::size_t>();
+    }
+
+    void ignore(std::size_t node, const std::string& type) {
+        const bool parallel = type == "directional";
+        scene_.ignoredLights.push_back(
+            {nodeName(model(), node),
+             parallel
+                 ? "a directional light has no place to project from, so it throws no shafts and lights no surface; "
+                   "use a spot light far away"
+                 : fmt::format("a {} light shines everywhere, so it throws no shafts and lights no surface; "
+                               "use a spot light",
+                               type)});
+    }
+
+    Outcome<void> keep(ReadLight read) {
+        if (read.noiseTexture) {
+            auto noise = image(*read.noiseTexture, Encoding::Linear,
+                               fmt::format("light \"{}\", extras.tyndall.noise", read.light.light.name));
+            if (!noise) return tl::unexpected(noise.error());
+            read.light.noise = *noise;
+        }
+        if (read.cookie) {
+            read.light.cookie = scene_.images.size();
+            scene_.images.push_back(std::move(*read.cookie));
+        }
+        scene_.lights.push_back(std::move(read.light));
+        return {};
+    }
+
+    Outcome<std::size_t> image(int texture, Encoding encoding, const std::string& user) {
+        const auto key = std::pair(texture, encoding);
+        if (const auto known = images_.find(key); known != images_.end()) return known->second;
+        auto read = readTexture(model(), texture, encoding, user);
+        if (!read) return tl::unexpected(read.error());
+        scene_.images.push_back(std::move(*read));
+        return images_[key] = scene_.images.size() - 1;
+    }
+
+    const tinygltf::Model& model() const { return document_.model; }
+
+    const Document& document_;
+    std::vector<std::optional<glm::dmat4>> poses_;
+    std::map<std::pair<int, Encoding>, std::size_t> images_;
+    Scene scene_;
+};
+
+}  // namespace
+
+Outcome<Scene> loadScene(const std::string& path, double time) {
+    auto document = readDocument(path);
+    if (!document) return tl::unexpected(document.error());
+    auto poses = worldPoses(document->model, time);
+    if (!poses) return fail("{}: {}", path, poses.error());
+    auto scene = Loader(*document, std::move(*poses)).load();
+    if (!scene) return fail("{}: {}", path, scene.error());
+    if (!document->warnings.empty()) scene->warnings.push_back(document->warnings);
+    return scene;
+}
+
+}  // namespace tyndall::app

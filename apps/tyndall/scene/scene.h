@@ -1,0 +1,90 @@
+// A scene as the program draws it: plain data, read from glTF once, at one moment of its animations.
+#pragma once
+
+#include <tyndall/light.h>
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tyndall::app {
+
+/// Linear values, row 0 at the top, RGBA.
+struct Image {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::vector<glm::vec4> texels;
+};
+
+struct Vertex {
+    glm::vec3 position{0.0f};  ///< metres, in mesh space
+    glm::vec3 normal{0.0f};    ///< unit length
+    glm::vec2 uv{0.0f};        ///< (0, 0) is the texture's top left corner
+};
+static_assert(sizeof(Vertex) == 32);
+
+struct Material {
+    glm::vec3 baseColour{1.0f};              ///< linear reflectance, multiplies the texture
+    glm::vec3 emissive{0.0f};                ///< radiance
+    std::optional<std::size_t> baseTexture;  ///< index into Scene::images
+    bool doubleSided = false;
+};
+
+/// One glTF primitive as a triangle list.
+struct Mesh {
+    std::string name;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> indices;
+    Material material;
+};
+
+struct MeshInstance {
+    std::size_t mesh = 0;  ///< index into Scene::meshes
+    glm::dmat4 worldFromMesh{1.0};
+};
+
+struct Camera {
+    std::string name;
+    glm::dmat4 worldFromCamera{1.0};  ///< rigid, looks along -Z, +Y up
+    bool orthographic = false;
+    double verticalFov = 0.0;  ///< radians, perspective only
+    double halfHeight = 0.0;   ///< metres, orthographic only; the width follows the picture's shape
+    double nearPlane = 0.1;    ///< metres
+    double farPlane = std::numeric_limits<double>::infinity();
+};
+
+struct SceneLight {
+    Light light;
+    std::optional<std::size_t> cookie;  ///< index into Scene::images; cone falloff is baked in
+    std::optional<std::size_t> noise;   ///< index into Scene::images
+    bool movingShadow = false;          ///< extras ask for a shadow map drawn anew each frame
+};
+
+/// A light that throws no shafts, and why.
+struct IgnoredLight {
+    std::string name;
+    std::string reason;
+};
+
+/// Axis-aligned box in world space; empty while minimum > maximum.
+struct Bounds {
+    glm::dvec3 minimum{std::numeric_limits<double>::infinity()};
+    glm::dvec3 maximum{-std::numeric_limits<double>::infinity()};
+    bool empty() const { return minimum.x > maximum.x; }
+};
+
+struct Scene {
+    std::vector<Image> images;
+    std::vector<Mesh> meshes;
+    std::vector<MeshInstance> instances;
+    std::vector<Camera> cameras;
+    std::vector<SceneLight> lights;
+    std::vector<IgnoredLight> ignoredLights;
+    std::vector<std::string> warnings;  ///< one sentence each
+    Bounds bounds;                      ///< of all instances
+};
+
+}  // namespace tyndall::app

@@ -1,0 +1,57 @@
+#include "texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "../image/srgb.h"
+
+namespace tyndall::app {
+
+Outcome<Image> readTexture(const tinygltf::Model& model, int texture, Encoding encoding, const std::string& user) {
+    if (texture < 0 || static_cast<std::size_t>(texture) >= model.textures.size())
+        return fail("{} names texture {}, but the file has {}, counted from 0; correct the index", user, texture,
+                    model.textures.size());
+    const int source = model.textures[static_cast<std::size_t>(texture)].source;
+    if (source < 0) return fail("{}: texture {} has no PNG or JPEG image; export it as one", user, texture);
+    const tinygltf::Image& from = model.images[static_cast<std::size_t>(source)];
+    const std::size_t texels = from.width > 0 && from.height > 0
+                                   ? static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height)
+                                   : 0;
+    const std::size_t channelBytes = from.bits == 16 ? 2 : 1;
+    if (texels == 0 || from.component != 4 || from.image.size() != texels * 4 * channelBytes)
+        return fail("{}: image {} of texture {} could not be loaded; check that \"{}\" is there", user, source, texture,
+                    from.uri.empty() ? from.name : from.uri);
+
+    Image image;
+    image.width = static_cast<std::uint32_t>(from.width);
+    image.height = static_cast<std::uint32_t>(from.height);
+    image.texels.resize(texels);
+    for (std::size_t i = 0; i < texels; ++i)
+        for (std::size_t c = 0; c < 4; ++c) {
+            float value;
+            if (channelBytes == 2) {
+                std::uint16_t stored;
+                std::memcpy(&stored, from.image.data() + 2 * (4 * i + c), 2);
+                value = static_cast<float>(stored) / 65535.0f;
+            } else {
+                value = static_cast<float>(from.image[4 * i + c]) / 255.0f;
+            }
+            image.texels[i][static_cast<int>(c)] = encoding == Encoding::Srgb && c < 3 ? linearFromSrgb(value) : value;
+        }
+    return image;
+}
+
+glm::vec4 sampleClamped(const Image& image, double u, double v) {
+    const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0);
+    const double y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
+    const auto x0 = static_cast<std::size_t>(x), y0 = static_cast<std::size_t>(y);
+    const std::size_t x1 = std::min<std::size_t>(x0 + 1, image.width - 1);
+    const std::size_t y1 = std::min<std::size_t>(y0 + 1, image.height - 1);
+    const auto at = [&](std::size_t column, std::size_t row) { return image.texels[row * image.width + column]; };
+    const auto fx = static_cast<float>(x - static_cast<double>(x0)),
+               fy = static_cast<float>(y - static_cast<double>(y0));
+    return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y1), at(x1, y1), fx), fy);
+}
+
+}  // namespace tyndall::app
