@@ -92,6 +92,22 @@ TEST(Slices, SpanTheCornersOfThePyramid) {
     EXPECT_NEAR(result.lights[0].farDepth, farthest, 1e-12);
 }
 
+TEST(Slices, AcrossThePyramidsAxisAreItsSections) {
+    Light light = projector();
+    light.worldFromLight = lookingAt({0.0, 0.0, -2.0}, {0.0, 0.0, -3.0});
+    const Plan result = planned({light}, wideView(glm::dmat4(1.0)), slices(4096));
+    const auto found = slicesOf(result, result.lights[0]);
+    ASSERT_EQ(found.size(), 4096u);
+    for (const auto& [depth, corners] : found) {
+        const glm::dvec2 half = (static_cast<double>(depth) - 2.0) * glm::tan(0.5 * light.fov);
+        ASSERT_EQ(corners.size(), 4u);
+        for (const glm::dvec2& corner : corners) {
+            EXPECT_NEAR(std::fabs(corner.x), half.x, 1e-6);  // a float's step at 8 m
+            EXPECT_NEAR(std::fabs(corner.y), half.y, 1e-6);
+        }
+    }
+}
+
 TEST(Slices, AreConvexCounterClockwiseAndWithinEveryPlane) {
     Random random(6);
     for (int trial = 0; trial < 50; ++trial) {
