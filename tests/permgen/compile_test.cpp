@@ -1,0 +1,244 @@
+#include "compile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "build_program.h"
+#include "compile_modules.h"
+#include "small_effect.h"
+
+namespace permgen {
+namespace {
+
+constexpr std::size_t pixel = 1;  // index of small_effect()'s pixel module
+
+std::string all_of(const Diagnostics& diagnostics) {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics) text += format(diagnostic) + "\n";
+    return text;
+}
+
+std::vector<CompiledModule> compile(const Lowered& effect, Diagnostics& diagnostics) {
+    return compile_modules(effect, 2, {}, diagnostics);
+}
+
+TEST(Compile, TheSmallEffectCompilesWithoutAWord) {
+    Diagnostics diagnostics;
+    const auto modules = compile(test::small_effect(), diagnostics);
+    EXPECT_EQ(all_of(diagnostics), "");
+    for (const CompiledModule& module : modules) EXPECT_FALSE(module.code.empty());
+    EXPECT_EQ(modules[pixel].reflection.constants.size(), 2u);
+}
+
+TEST(Compile, SameTextSameWordsWhateverTheNumberOfJobs) {
+    Diagnostics diagnostics;
+    const auto first = compile_modules(test::small_effect(), 1, {}, diagnostics);
+    for (const int jobs : {1, 2, 8}) {
+        const auto again = compile_modules(test::small_effect(), jobs, {}, diagnostics);
+        for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].code, again[i].code);
+    }
+}
+
+/// An effect whose author wrote exactly what small_effect() compiles, on disk.
+class Located : public testing::Test {
+protected:
+    Located() : path_(testing::TempDir() + "located.fx") {}
+    ~Located() override { std::filesystem::remove(path_); }
+
+    Diagnostics errors_of(const std::string& body) {
+        Lowered effect = test::small_effect();
+        effect.modules[pixel].hlsl = test::pixel_text(body);
+        std::ofstream(path_, std::ios::binary) << effect.modules[pixel].hlsl;
+        effect.modules[pixel].line_map.clear();
+        for (int line = 1; line <= 40; ++line) effect.modules[pixel].line_map.push_back({path_, line, 0});
+        Diagnostics diagnostics;
+        compile(effect, diagnostics);
+        return diagnostics;
+    }
+
+    std::string path_;
+};
+
+struct Mistake {
+    const char* name;
+    const char* body;
+    int line;
+    int column;
+    const char* says;
+};
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+    *out << mistake.name;
+}
+
+class Mistakes : public Located, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(Mistakes, AreToldInTheAuthorsLines) {
+    const Diagnostics diagnostics = errors_of(GetParam().body);
+    ASSERT_EQ(diagnostics.size(), 1u) << all_of(diagnostics);
+    EXPECT_EQ(diagnostics[0].code, "PG050");
+    EXPECT_EQ(diagnostics[0].place.file, path_);
+    EXPECT_EQ(diagnostics[0].place.line, GetParam().line);
+    EXPECT_EQ(diagnostics[0].place.column, GetParam().column);
+    EXPECT_NE(diagnostics[0].message.find(GetParam().says), std::string::npos) << diagnostics[0].message;
+}
+
+// The body starts on line 11.
+INSTANTIATE_TEST_SUITE_P(
+    Compile, Mistakes,
+    testing::Values(Mistake{"UnknownName", "    return gTint[0] * gGian;\n", 11, 23, "'gGian': unknown variable"},
+                    Mistake{"SecondLine", "    float a = 1.0;\n    return vec(a);\n", 12, 12, "vec"},
+                    Mistake{"MissingOperand", "    float a = 1.0 +;\n    return a;\n", 11, 20, "syntax error at ';'"},
+                    Mistake{"NamePartOfAnother", "    float gGianx = 1.0; return gGian * gGianx;\n", 11, 32, "gGian"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_F(Located, AMissingBraceIsOneError) {
+    const Diagnostics diagnostics = errors_of("    if (bNoise) { return 1.0;\n");
+    EXPECT_EQ(diagnostics.size(), 1u) << all_of(diagnostics);
+}
+
+TEST(Compile, AMistakeSharedByTwoModulesIsSaidOnce) {
+    Lowered effect = test::small_effect();
+    effect.modules[pixel].hlsl = test::pixel_text("    return nothing;\n");
+    effect.modules.push_back(effect.modules[pixel]);
+    Diagnostics diagnostics;
+    compile(effect, diagnostics);
+    EXPECT_EQ(diagnostics.size(), 1u) << all_of(diagnostics);
+}
+
+TEST(Compile, AMistakeInGeneratedTextIsPlacedAtTheEntryPoint) {
+    Lowered effect = test::small_effect();
+    effect.modules[pixel].hlsl += "float generated() { return nothing; }\n";
+    effect.modules[pixel].line_map.resize(10);
+    Diagnostics diagnostics;
+    compile(effect, diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u) << all_of(diagnostics);
+    EXPECT_EQ(diagnostics[0].place.line, effect.modules[pixel].place.line);
+}
+
+class Crashes : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+// Each of these takes glslang 12.0.0 down with it, or makes it run on; whichever it is here and now, it has
+// to come out as an error about that entry point, and the other module has to come through.
+TEST_P(Crashes, BecomeDiagnostics) {
+    Lowered effect = test::small_effect();
+    effect.modules[pixel].hlsl = GetParam().second;
+    Diagnostics diagnostics;
+    const auto modules = compile_modules(effect, 2, {std::chrono::seconds(5), WorkerLimits{}.memory}, diagnostics);
+    EXPECT_FALSE(modules[0].code.empty());
+    EXPECT_TRUE(modules[pixel].code.empty());
+    EXPECT_TRUE(has_errors(diagnostics));
+}
+
+std::string nested(int depth) {
+    return "float4 ps_entry() : SV_Target0 { return " + std::string(static_cast<std::size_t>(depth), '(') + "1.0" +
+           std::string(static_cast<std::size_t>(depth), ')') + "; }\n";
+}
+const std::string deep = nested(20'000);
+
+INSTANTIATE_TEST_SUITE_P(
+    Compile, Crashes,
+    testing::Values(std::pair{"UnnamedParameter", "float4 ps_entry(int) : SV_Target0 { return 1.0; }\n"},
+                    std::pair{"VoidMember",
+                              "struct S { void a; }; float4 ps_entry(S s) : SV_Target0 { return 1.0; }\n"},
+                    std::pair{"CaseOutsideSwitch", "float4 ps_entry() : SV_Target0 { case 1: return 1.0; }\n"},
+                    std::pair{"UnclosedSubscript", "float4 ps_entry() : SV_Target0 { float a[3]; a[10 = 1; }\n"},
+                    std::pair{"DeepNesting", deep.c_str()}),
+    [](const auto& tested) { return std::string(tested.param.first); });
+
+TEST(Compile, ACrashNamesTheEntryPointAndWhatHappened) {
+    Lowered effect = test::small_effect();
+    effect.modules[pixel].hlsl = "float4 ps_entry() : SV_Target0 { case 1: return 1.0; }\n";
+    Diagnostics diagnostics;
+    compile(effect, diagnostics);
+    ASSERT_EQ(diagnostics.size(), 1u) << all_of(diagnostics);
+    EXPECT_EQ(diagnostics[0].code, "PG052");
+    EXPECT_NE(diagnostics[0].message.find("'ps_main'"), std::string::npos);
+    EXPECT_NE(diagnostics[0].message.find("crashed (Segmentation fault"), std::string::npos) << diagnostics[0].message;
+}
+
+TEST(Compile, AnEntryPointThatIsNotThereIsAnError) {
+    Lowered effect = test::small_effect();
+    effect.modules[pixel].entry = "nowhere";
+    Diagnostics diagnostics;
+    const auto modules = compile(effect, diagnostics);
+    EXPECT_TRUE(has_errors(diagnostics));
+    EXPECT_TRUE(modules[pixel].code.empty());
+}
+
+/// What lowering means and what it writes differ in one thing each time.
+class Meant : public testing::Test {
+protected:
+    std::string complaint() {
+        Diagnostics diagnostics;
+        compile(effect, diagnostics);
+        for (const Diagnostic& diagnostic : diagnostics) EXPECT_EQ(diagnostic.code, "PG056");
+        return all_of(diagnostics);
+    }
+    Lowered effect = test::small_effect();
+};
+
+TEST_F(Meant, AnotherLocation) {
+    effect.modules[pixel].inputs[1].location = 5;
+    EXPECT_NE(complaint().find("came out at location 1"), std::string::npos);
+}
+TEST_F(Meant, AnotherWidth) {
+    effect.modules[0].inputs[0].components = 4;
+    EXPECT_NE(complaint().find("POSITION0 at location 0 is float3, but float4 was meant"), std::string::npos);
+}
+TEST_F(Meant, AnotherType) {
+    effect.modules[pixel].inputs[0].type = ScalarType::Int;
+    EXPECT_NE(complaint().find("is float4, but int4 was meant"), std::string::npos);
+}
+TEST_F(Meant, AnOutputMore) {
+    effect.modules[0].outputs.push_back({"TEXCOORD7", false, 7, 4, ScalarType::Float, {}});
+    EXPECT_NE(complaint().find("output TEXCOORD7 is missing"), std::string::npos);
+}
+TEST_F(Meant, ASystemValueMore) {
+    effect.modules[pixel].outputs.push_back({"SV_DEPTH", true, 0, 1, ScalarType::Float, {}});
+    EXPECT_NE(complaint().find("output SV_DEPTH is missing"), std::string::npos);
+}
+TEST_F(Meant, ASystemValueLess) {
+    effect.modules[0].outputs.pop_back();
+    EXPECT_NE(complaint().find("became a system value"), std::string::npos);
+}
+TEST_F(Meant, AnotherBinding) {
+    effect.resources[1].binding = 7;
+    EXPECT_NE(complaint().find("'CookieSampler' came out at set 0, binding 1"), std::string::npos);
+}
+TEST_F(Meant, AnotherName) {
+    effect.resources[1].name = "Cookie";
+    EXPECT_NE(complaint().find("'CookieSampler'"), std::string::npos);
+}
+TEST_F(Meant, AnotherDimension) {
+    effect.resources[2].dimension = ImageDimension::Cube;
+    EXPECT_NE(complaint().find("is a sampler3D, but a samplerCUBE was meant"), std::string::npos);
+}
+TEST_F(Meant, ASwitchMore) {
+    effect.modules[pixel].axes.push_back({"bFog", 2, ScalarType::Bool, 0, {}});
+    EXPECT_NE(complaint().find("switch 'bFog' did not become a specialization constant"), std::string::npos);
+}
+TEST_F(Meant, ASwitchLess) {
+    effect.modules[pixel].axes.pop_back();
+    EXPECT_NE(complaint().find("specialization constant 1 was not meant to be"), std::string::npos);
+}
+TEST_F(Meant, AnUnusedInputMayGo) {
+    effect.modules[0].inputs.push_back({"NORMAL0", false, 3, 3, ScalarType::Float, {}});
+    EXPECT_EQ(complaint(), "");
+}
+
+TEST(WorkerReply, SurvivesPackingAndTruncation) {
+    const WorkerReply reply{{1, 2, 3}, "log", "complaint"};
+    const std::string packed = pack(reply);
+    const WorkerReply back = unpack(packed);
+    EXPECT_EQ(back.code, reply.code);
+    EXPECT_EQ(back.log, reply.log);
+    EXPECT_EQ(back.invalid, reply.invalid);
+    for (std::size_t size = 0; size < packed.size(); ++size) unpack(packed.substr(0, size));
+}
+
+}  // namespace
+}  // namespace permgen
