@@ -226,7 +226,6 @@ std::string hlsl_name(std::string_view name) {
 std::string hlsl_text(const ParsedEffect& effect, TokenRange range) {
     std::string text;
     for (std::size_t t = range.begin; t < range.end; ++t) {
-        if (effect.dropped[t]) continue;
         if (!text.empty()) text += ' ';
         text += replacement(effect.tokens[t], effect.tokens[t + 1]);
     }

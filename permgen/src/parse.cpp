@@ -48,10 +48,16 @@ bool declares(const ParseCursor& cursor, bool (*is_type)(const Token&), std::siz
     return is_type(cursor.peek(ahead)) && cursor.peek(ahead + 1).is_identifier() && !cursor.peek(ahead + 2).is("(");
 }
 
+// A `string`: something for tools to read.
 void drop_declaration(ParseCursor& cursor) {
     const std::size_t begin = cursor.at;
-    cursor.skip_to(";", "this declaration");
     cursor.take();
+    do {
+        Variable declarator;
+        declarator.name = cursor.expect_identifier("a name").text;
+        parse_declarator(cursor, declarator, ",;");
+    } while (cursor.take_if(","));
+    cursor.expect(";", "after this declaration");
     cursor.drop({begin, cursor.at});
 }
 

@@ -139,12 +139,12 @@ Qualifiers parse_qualifiers(ParseCursor& cursor) {
 
 TypeName parse_type(ParseCursor& cursor) {
     TypeName type;
-    type.range.begin = cursor.at;
     if (cursor.is("unsigned") && (cursor.peek(1).is("int") || cursor.peek(1).is("short"))) {
         cursor.drop({cursor.at, cursor.at + 1});
         cursor.take();
         cursor.effect.tokens[cursor.at].text = "uint";
     }
+    type.range.begin = cursor.at;
     const Token& word = cursor.expect_identifier("a type");
     type.name = word.text;
     type.at = word.at;

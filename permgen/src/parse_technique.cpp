@@ -84,10 +84,6 @@ void parse_shader_state(ParseCursor& cursor, ParsedPass& pass, bool vertex, cons
         return;
     }
     if (same_word(word.text, "null")) {
-        if (vertex)
-            cursor.fail("PG026", word.at,
-                        "VertexShader = NULL asks for the fixed-function pipeline, which is not "
-                        "supported; write a vertex shader");
         cursor.take();
         cursor.expect(";", "after NULL");
         return;
@@ -138,7 +134,12 @@ ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
     if (!pass.vertex && !pass.pixel)
         report_error(cursor.diagnostics, "PG027", cursor.sources.place(pass.at),
                      where + " of technique '" + technique.name +
-                         "' has no shader; add VertexShader = compile ...; and PixelShader = compile ...;");
+                         "' has no shader, and there is no fixed-function pipeline; add VertexShader = compile ...; "
+                         "and PixelShader = compile ...;");
+    else if (!pass.vertex)
+        report_warning(cursor.diagnostics, "PG027", cursor.sources.place(pass.at),
+                       where + " of technique '" + technique.name +
+                           "' has no vertex shader; the application must bring one to draw with it");
     return pass;
 }
 
