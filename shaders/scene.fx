@@ -9,7 +9,7 @@
 
 float4x4 gClipFromMesh;
 float4x4 gViewFromMesh;
-float4x4 gViewFromNormal;  // the inverse transpose of gViewFromMesh's upper 3x3
+float4x4 gViewFromNormal;  // the cofactors of gViewFromMesh's upper 3x3: right for a mesh scaled flat, too
 float4x4 gLightFromView;   // rigid
 float4   gEye;             // direction to the eye is xyz - w * position: (0, 0, 0, 1), or (0, 0, 1, 0) for parallel rays
 float4   gAlbedo;          // rgb: base colour
@@ -64,16 +64,22 @@ SurfacePoint vs_surface(MeshVertex v)
     return o;
 }
 
+// A vector of no length stays one, where normalize() would make it NaN.
+float3 unit(float3 v)
+{
+    return v * rsqrt(max(dot(v, v), 1.0e-30));
+}
+
 // The side of the triangle that the eye sees, whichever way it was wound.
 float3 facing_normal(float3 viewPos)
 {
-    float3 face = normalize(cross(ddx(viewPos), ddy(viewPos)));
+    float3 face = unit(cross(ddx(viewPos), ddy(viewPos)));
     return dot(face, gEye.xyz - gEye.w * viewPos) < 0.0 ? -face : face;
 }
 
 float3 shading_normal(float3 interpolated, float3 facing)
 {
-    float3 normal = normalize(interpolated);
+    float3 normal = dot(interpolated, interpolated) > 0.0 ? unit(interpolated) : facing;
     return dot(normal, facing) < 0.0 ? -normal : normal;
 }
 

@@ -28,9 +28,12 @@ std::string_view yesNo(bool value, std::string_view yes, std::string_view no) {
 }
 
 /// What the light calls for, in words.
-std::string terms(const PlannedLight& light, const Light& source) {
-    return fmt::format("{}, {}, {}", yesNo(light.cookie, "projects a cookie", "no cookie"),
-                       yesNo(light.shadow, "throws shadows", source.shadow ? "shadows left out" : "no shadows"),
+std::string terms(const PlannedLight& light, const SceneLight& scene, const Light& asked) {
+    const std::string_view shadows = light.shadow   ? (scene.movingShadow ? "throws moving shadows" : "throws shadows")
+                                     : asked.shadow ? "shadows left out"
+                                     : scene.light.shadow ? "no shadows, for nothing stands in its volume"
+                                                          : "no shadows";
+    return fmt::format("{}, {}, {}", yesNo(light.cookie, "projects a cookie", "no cookie"), shadows,
                        yesNo(light.noise, "drifting dust", "even air"));
 }
 
@@ -108,7 +111,8 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
                         source.fov.y / degree, source.nearPlane, source.farPlane, source.density);
         text += fmt::format("  {}\n", light.reason);
         if (!light.drawn) continue;
-        text += fmt::format("  technique {}: {}\n", light.technique, terms(light, source));
+        text += fmt::format("  technique {}: {}\n", light.technique,
+                            terms(light, planned.scene.lights[light.light], source));
         text += fmt::format("  {} slices of {:.4g} m, {:.4g} to {:.4g} m before the eye\n", light.slices,
                             (light.farDepth - light.nearDepth) / light.slices, light.nearDepth, light.farDepth);
     }

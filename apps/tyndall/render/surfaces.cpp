@@ -69,13 +69,21 @@ void setLight(Uniforms& uniforms, const Light& light, const View& view, std::uin
     uniforms.set("gTexel", glm::dvec4(2.0 * reach / static_cast<double>(shadowSize), 0.0, 0.0));
 }
 
+/// What turns normals as the matrix turns surfaces, up to length and sign, brought near unit length. The
+/// inverse transpose is the same for a matrix that has an inverse.
+glm::dmat3 cofactors(const glm::dmat3& m) {
+    const glm::dmat3 c(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const double longest = std::max({glm::length(c[0]), glm::length(c[1]), glm::length(c[2])});
+    return longest > 0.0 ? c / longest : c;
+}
+
 void setSurface(Uniforms& uniforms, const MeshInstance& instance, const Material& material, const View& view, bool lit,
                 const glm::dvec3& ambient) {
     // In double up to here: what is left is relative to the eye, and small.
     const glm::dmat4 viewFromMesh = glm::inverse(view.worldFromView) * instance.worldFromMesh;
     uniforms.set("gClipFromMesh", view.clipFromView * viewFromMesh);
     uniforms.set("gViewFromMesh", viewFromMesh);
-    uniforms.set("gViewFromNormal", glm::dmat4(glm::transpose(glm::inverse(glm::dmat3(viewFromMesh)))));
+    uniforms.set("gViewFromNormal", glm::dmat4(cofactors(glm::dmat3(viewFromMesh))));
     uniforms.set("gEye", view.orthographic ? glm::dvec4(0.0, 0.0, 1.0, 0.0) : glm::dvec4(0.0, 0.0, 0.0, 1.0));
     uniforms.set("gUp",
                  glm::dvec4(glm::inverse(glm::dmat3(view.worldFromView)) * glm::dvec3(0.0, 1.0, 0.0), groundShare));

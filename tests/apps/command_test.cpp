@@ -1,0 +1,160 @@
+// The command line: what it accepts, what it says, and with which status it ends.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "glb.h"
+#include "program.h"
+
+namespace tyndall::test {
+namespace {
+
+constexpr int failed = 1, wrongCommandLine = 2;
+
+void expectRefusal(const Run& run, int status, const std::string& says) {
+    EXPECT_EQ(run.status, status) << run.errors;
+    EXPECT_TRUE(run.errors.starts_with("tyndall: error: ")) << run.errors;
+    EXPECT_NE(run.errors.find(says), std::string::npos) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << "one sentence: " << run.errors;
+    EXPECT_EQ(run.output, "");
+}
+
+struct WrongLine {
+    const char* name;
+    std::vector<std::string> options;
+    const char* says;
+};
+
+class CommandLine : public testing::TestWithParam<WrongLine> {};
+
+TEST_P(CommandLine, IsRefusedBeforeAnythingIsRead) {
+    const std::string picture = freshPath("picture.png");
+    std::vector<std::string> arguments = {"render", "no-such-scene.glb", "-o", picture};
+    arguments.insert(arguments.end(), GetParam().options.begin(), GetParam().options.end());
+    expectRefusal(runTyndall(arguments), wrongCommandLine, GetParam().says);
+    EXPECT_TRUE(neighbours(picture).empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Wrong, CommandLine,
+    testing::Values(WrongLine{"SizeZero", {"--size", "0x0"}, "each side must be from 1 to 16384"},
+                    WrongLine{"SizeHuge", {"--size", "100000x100000"}, "each side must be from 1 to 16384"},
+                    WrongLine{"SizeOverflowing", {"--size", "99999999999999999999x1"}, "out of bounds"},
+                    WrongLine{"SizeJunk", {"--size", "big"}, "is no size"},
+                    WrongLine{"SizeHalf", {"--size", "640x"}, "is no size"},
+                    WrongLine{"SizeNegative", {"--size=-4x4"}, "is no size"},
+                    WrongLine{"SizeTrailing", {"--size", "640x360p"}, "is no size"},
+                    WrongLine{"PlanesZero", {"--planes", "0"}, "from 1 to 65536"},
+                    WrongLine{"PlanesTooMany", {"--planes", "65537"}, "from 1 to 65536"},
+                    WrongLine{"PlanesJunk", {"--planes", "many"}, "--planes"},
+                    WrongLine{"PlanesOddWhenRouted", {"--accum", "rgba8-routed", "--planes", "6"}, "multiple of 4"},
+                    WrongLine{"ShadowSizeZero", {"--shadow-size", "0"}, "--shadow-size"},
+                    WrongLine{"RangeZero", {"--range", "0"}, "--range"},
+                    WrongLine{"AccumUnknown", {"--accum", "rgb5"}, "rgba8-routed"},
+                    WrongLine{"GeometryUnknown", {"--geometry", "cubes"}, "polygons"},
+                    WrongLine{"LookUnknown", {"--look", "nice"}, "article"},
+                    WrongLine{"LayerUnknown", {"--layer", "floor"}, "shafts"},
+                    WrongLine{
+                        "TechniqueUnknown", {"--technique", "clip_technique"}, "clip_nonoise_shadow_cookie_technique"},
+                    WrongLine{"ShaftsIntoPng", {"--layer", "shafts"}, "write an .exr"},
+                    WrongLine{"OptionUnknown", {"--sise", "1x1"}, "--sise"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Command, OutputExtensionUnknown) {
+    expectRefusal(runTyndall({"render", "scene.glb", "-o", "picture.jpeg"}), wrongCommandLine, ".png nor .exr");
+}
+
+TEST(Command, NothingAsked) {
+    expectRefusal(runTyndall({}), wrongCommandLine, "subcommand");
+}
+
+TEST(Command, HelpIsNoError) {
+    const Run run = runTyndall({"render", "--help"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_NE(run.output.find("--planes"), std::string::npos);
+    EXPECT_EQ(run.errors, "");
+}
+
+TEST(Command, SceneMissing) {
+    expectRefusal(runTyndall({"explain", "no-such-scene.glb"}), failed, "no-such-scene.glb: no such file");
+}
+
+TEST(Command, CameraUnknownListsTheCameras) {
+    expectRefusal(runTyndall({"explain", writeScene(wallScene()), "--camera", "Ear"}), failed, "it has \"Eye\"");
+}
+
+TEST(Command, FolderOfTheOutputMissing) {
+    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", "/no/such/folder/picture.png"}), failed,
+                  "cannot be written");
+}
+
+TEST(Command, OutputIsAFolder) {
+    const std::string folder = freshPath("picture.png");
+    std::filesystem::create_directory(folder);
+    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", folder}), failed, "is a folder");
+}
+
+TEST(Command, OutputIsRefusedBeforeTheSceneIsRead) {
+    expectRefusal(runTyndall({"render", "no-such-scene.glb", "-o", "/no/such/folder/picture.png"}), failed,
+                  "/no/such/folder/picture.png");
+}
+
+TEST(Command, StatisticsUnwritable) {
+    const std::string picture = freshPath("picture.png");
+    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", picture, "--stats", "/no/such/folder/s.json"}),
+                  failed, "/no/such/folder/s.json");
+    EXPECT_TRUE(neighbours(picture).empty());
+}
+
+TEST(Command, NoVulkanDevice) {
+    const std::string picture = freshPath("picture.png");
+    const Run run = runTyndall({"render", writeScene(wallScene()), "-o", picture},
+                               {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
+    expectRefusal(run, failed, "ulkan");
+    EXPECT_TRUE(neighbours(picture).empty());
+}
+
+TEST(Command, BrokenSceneLeavesNothingBehind) {
+    const std::string picture = freshPath("picture.png");
+    std::vector<unsigned char> bytes = wallScene().bytes();
+    bytes.resize(bytes.size() / 2);
+    expectRefusal(runTyndall({"render", writeBytes(bytes, "half.glb"), "-o", picture}), failed, "cut short");
+    EXPECT_TRUE(neighbours(picture).empty());
+}
+
+TEST(Command, ExplainNeedsNoDevice) {
+    const Run run = runTyndall({"explain", writeScene(wallScene())},
+                               {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_NE(run.output.find("light \"Lamp\": drawn"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("clip_nonoise_shadow_cookie_technique"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("100 slices"), std::string::npos) << run.output;
+}
+
+TEST(Command, ExplainAsJson) {
+    Glb glb = wallScene();
+    glb.json["extensions"]["KHR_lights_punctual"]["lights"].push_back({{"type", "point"}});
+    glb.addNode({{"name", "Bulb"}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+    const Run run = runTyndall({"explain", writeScene(glb), "--json", "--planes", "8"});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    const auto report = nlohmann::json::parse(run.output);
+    ASSERT_EQ(report["lights"].size(), 2u);
+    EXPECT_EQ(report["lights"][0]["name"], "Lamp");
+    EXPECT_EQ(report["lights"][0]["slices"], 8);
+    EXPECT_EQ(report["lights"][0]["shadow"], true);
+    EXPECT_EQ(report["lights"][1]["drawn"], false);
+    EXPECT_NE(report["lights"][1]["reason"].get<std::string>().find("point light"), std::string::npos);
+}
+
+TEST(Command, NothingInTheConeMeansNoShadowMap) {
+    Glb glb = wallScene();
+    glb.json["nodes"][0]["translation"] = {0, 0, 50};  // behind lamp and camera
+    const Run run = runTyndall({"explain", writeScene(glb), "--json"});
+    ASSERT_EQ(run.status, 0) << run.errors;
+    EXPECT_EQ(nlohmann::json::parse(run.output)["lights"][0]["technique"], "clip_nonoise_noshadow_cookie_technique");
+}
+
+}  // namespace
+}  // namespace tyndall::test

@@ -1,0 +1,84 @@
+#include "program.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "glb.h"
+
+namespace tyndall::test {
+namespace {
+
+constexpr const char* lavapipe = "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json";
+
+std::string contents(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+Run runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    const std::string out = freshPath("out.txt"), err = freshPath("err.txt");
+    const pid_t child = fork();
+    if (child == 0) {
+        for (const auto& [path, stream] : {std::pair(&out, STDOUT_FILENO), std::pair(&err, STDERR_FILENO)})
+            dup2(open(path->c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), stream);
+        // Pictures of tests come from lavapipe, whatever else the machine has.
+        std::vector<std::string> settings = {std::string("VK_DRIVER_FILES=") + lavapipe,
+                                             std::string("VK_ICD_FILENAMES=") + lavapipe};
+        settings.insert(settings.end(), environment.begin(), environment.end());
+        for (const std::string& setting : settings) {
+            const std::size_t equals = setting.find('=');
+            setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
+        }
+        std::vector<char*> argv = {const_cast<char*>(TYNDALL_PROGRAM)};
+        for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+        argv.push_back(nullptr);
+        execv(TYNDALL_PROGRAM, argv.data());
+        _exit(127);
+    }
+    int status = 0;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            kill(child, SIGKILL);
+            waitpid(child, &status, 0);
+            break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out), contents(err)};
+}
+
+Pixels readPixels(const std::string& path) {
+    Pixels pixels;
+    auto file = OIIO::ImageInput::open(path);
+    if (!file) return pixels;
+    pixels.width = file->spec().width;
+    pixels.height = file->spec().height;
+    pixels.channels = file->spec().nchannels;
+    pixels.values.resize(static_cast<std::size_t>(pixels.width * pixels.height * pixels.channels));
+    if (!file->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::FLOAT, pixels.values.data())) return {};
+    return pixels;
+}
+
+std::vector<std::string> neighbours(const std::string& path) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(path).parent_path()))
+        names.push_back(entry.path().filename().string());
+    return names;
+}
+
+}  // namespace tyndall::test
