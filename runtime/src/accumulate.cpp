@@ -47,7 +47,7 @@ Result<void> resolve(Renderer::Impl& impl, const Plan& plan, const CompositeGrou
     for (const std::size_t index : group.lights) {
         if (auto checked = checkLight(plan, index, textures.size()); !checked) return checked;
         const PlannedLight& light = plan.lights[index];
-        const permgen::Technique* technique = permgen::find_technique(slices::effect, light.technique);
+        const permgen::Technique* technique = permgen::find_technique(effects::slices::effect, light.technique);
         if (!technique)
             return invalidArgument("slices.fx has no technique " + std::string(light.technique) +
                                    "; techniqueName() gives those that exist");

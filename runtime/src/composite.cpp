@@ -10,10 +10,10 @@
 namespace tyndall {
 namespace {
 
-static_assert(memberIs(composite::effect, "gTint", offsetof(CompositeConstants, tint), 16));
-static_assert(memberIs(composite::effect, "gTexel", offsetof(CompositeConstants, texel), 16));
-static_assert(memberIs(composite::effect, "gDepth", offsetof(CompositeConstants, depth), 16));
-static_assert(blockIs(composite::effect, sizeof(CompositeConstants)));
+static_assert(memberIs(effects::composite::effect, "gTint", offsetof(CompositeConstants, tint), 16));
+static_assert(memberIs(effects::composite::effect, "gTexel", offsetof(CompositeConstants, texel), 16));
+static_assert(memberIs(effects::composite::effect, "gDepth", offsetof(CompositeConstants, depth), 16));
+static_assert(blockIs(effects::composite::effect, sizeof(CompositeConstants)));
 
 constexpr std::array<VertexElement, 1> screenElements{{{"POSITION0", 0, VK_FORMAT_R32G32_SFLOAT}}};
 
@@ -77,7 +77,7 @@ Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& fram
 
     const bool routed = plan.accumulation == Accumulation::Rgba8Routed;
     const permgen::Technique* technique =
-        permgen::find_technique(composite::effect, techniqueFor(routed, targets.blur));
+        permgen::find_technique(effects::composite::effect, techniqueFor(routed, targets.blur));
     RendererCounters& counters = impl_->counters;
     const auto pipeline = pipelineFor(impl_->gpu, impl_->pipelines, *technique,
                                       {targets.colourFormat, VK_FORMAT_UNDEFINED, VK_COMPARE_OP_ALWAYS}, screenElements,

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "gpu.h"
+#include "gpu_context.h"
 
 namespace tyndall {
 

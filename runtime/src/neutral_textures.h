@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "gpu.h"
+#include "gpu_context.h"
 
 namespace tyndall {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "gpu.h"
+#include "gpu_context.h"
 #include "pipeline_layouts.h"
 
 namespace tyndall {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "frame_data.h"
-#include "gpu.h"
+#include "gpu_context.h"
 #include "neutral_textures.h"
 #include "pipelines.h"
 

@@ -10,8 +10,8 @@
 namespace tyndall {
 namespace {
 
-static_assert(memberIs(shadow_map::effect, "gClipFromMesh", 0, sizeof(glm::mat4)));
-static_assert(blockIs(shadow_map::effect, sizeof(glm::mat4)));
+static_assert(memberIs(effects::shadow_map::effect, "gClipFromMesh", 0, sizeof(glm::mat4)));
+static_assert(blockIs(effects::shadow_map::effect, sizeof(glm::mat4)));
 
 constexpr std::array<VertexElement, 1> occluderElements{{{"POSITION0", 0, VK_FORMAT_R32G32B32_SFLOAT}}};
 
@@ -46,7 +46,7 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
     if (!data) return tl::unexpected(data.error());
     if (auto checked = checkShadowMap(light, occluders, map, size); !checked) return checked;
     RendererCounters& counters = impl_->counters;
-    const permgen::Technique& technique = shadow_map::effect.techniques[0];
+    const permgen::Technique& technique = effects::shadow_map::effect.techniques[0];
     const auto pipeline =
         pipelineFor(impl_->gpu, impl_->pipelines, technique, {VK_FORMAT_UNDEFINED, format, VK_COMPARE_OP_GREATER},
                     occluderElements, counters.pipelinesCreated);

@@ -9,8 +9,9 @@
 
 namespace tyndall {
 
-#define TYNDALL_CHECK(field, name, bytes) \
-    static_assert(memberIs(slices::effect, name, offsetof(SliceConstants, field), bytes), "slices.fx moved " name)
+#define TYNDALL_CHECK(field, name, bytes)                                                          \
+    static_assert(memberIs(effects::slices::effect, name, offsetof(SliceConstants, field), bytes), \
+                  "slices.fx moved " name)
 
 TYNDALL_CHECK(clipFromView, "gClipFromView", 64);
 TYNDALL_CHECK(lightFromView, "gLightFromView", 64);
@@ -28,7 +29,8 @@ TYNDALL_CHECK(shadow, "gShadow", 16);
 
 #undef TYNDALL_CHECK
 
-static_assert(slices::effect.members.size() == 13, "slices.fx has constants that SliceConstants lacks");
-static_assert(blockIs(slices::effect, sizeof(SliceConstants)), "slices.fx's block is not SliceConstants' size");
+static_assert(effects::slices::effect.members.size() == 13, "slices.fx has constants that SliceConstants lacks");
+static_assert(blockIs(effects::slices::effect, sizeof(SliceConstants)),
+              "slices.fx's block is not SliceConstants' size");
 
 }  // namespace tyndall

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "d3d9_words.h"
-#include "gpu.h"
+#include "gpu_context.h"
 
 namespace tyndall {
 namespace {

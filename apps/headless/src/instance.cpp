@@ -45,6 +45,7 @@ Result<void> createInstance(DeviceCore& core, const DeviceOptions& options) {
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
 
     core.log.skipInvalidCalls = options.skipInvalidCalls;
+    core.log.consumer = options.onMessage;
     VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(core.log);
     constexpr std::array enabled{VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
     VkValidationFeaturesEXT features{};

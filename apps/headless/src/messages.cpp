@@ -10,6 +10,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT se
     std::string text = data->pMessageIdName ? data->pMessageIdName : "unnamed";
     text += ": ";
     text += data->pMessage ? data->pMessage : "";
+    if (log.consumer) log.consumer(text);
     log.messages.push_back(std::move(text));
     const bool error = (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) != 0;
     return log.skipInvalidCalls && error ? VK_TRUE : VK_FALSE;

@@ -3,6 +3,7 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace headless {
 struct MessageLog {
     mutable std::mutex mutex;
     std::vector<std::string> messages;
+    std::function<void(const std::string&)> consumer;
     bool skipInvalidCalls = false;
 };
 

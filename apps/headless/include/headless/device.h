@@ -5,6 +5,7 @@
 #include <vulkan/vulkan_core.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,7 +19,9 @@ struct DeviceOptions {
                                     ///< make one on purpose
     std::string deviceName = {};    ///< part of the wanted device's name, case counts; empty: any
     bool preferSoftware = false;    ///< lavapipe before a GPU, for pictures that are the same everywhere
-    bool pushDescriptors = true;    ///< false leaves VK_KHR_push_descriptor out: a device the Renderer must refuse
+    /// Told every message too, from any thread: also of what is left over when the device is destroyed.
+    std::function<void(const std::string&)> onMessage = {};
+    bool pushDescriptors = true;  ///< false leaves VK_KHR_push_descriptor out: a device the Renderer must refuse
 };
 
 /// What every object made from a device keeps alive; its fields are the library's own.

@@ -30,7 +30,7 @@ tl::unexpected<Error> vulkanError(const char* call, VkResult result);
 tl::unexpected<Error> invalidArgument(std::string message);
 tl::unexpected<Error> unsupported(std::string message);
 
-/// "R16G16B16A16_SFLOAT" for messages.
+/// "VkFormat 97" for messages: the number is the one in vulkan_core.h.
 std::string formatName(VkFormat format);
 
 /// The first memory type that `allowed` holds and that has all of `wanted`; UINT32_MAX where there is none.

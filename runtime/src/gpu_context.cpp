@@ -1,8 +1,49 @@
-#include "gpu.h"
-
-#include <vulkan/vulkan.hpp>  // vk::to_string: names of results and formats
+#include "gpu_context.h"
 
 namespace tyndall {
+namespace {
+
+/// The results that the calls made here can give, by name; others by number.
+std::string resultName(VkResult result) {
+    switch (result) {
+        case VK_NOT_READY:
+            return "VK_NOT_READY";
+        case VK_TIMEOUT:
+            return "VK_TIMEOUT";
+        case VK_INCOMPLETE:
+            return "VK_INCOMPLETE";
+        case VK_ERROR_OUT_OF_HOST_MEMORY:
+            return "VK_ERROR_OUT_OF_HOST_MEMORY";
+        case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+            return "VK_ERROR_OUT_OF_DEVICE_MEMORY";
+        case VK_ERROR_INITIALIZATION_FAILED:
+            return "VK_ERROR_INITIALIZATION_FAILED";
+        case VK_ERROR_DEVICE_LOST:
+            return "VK_ERROR_DEVICE_LOST";
+        case VK_ERROR_MEMORY_MAP_FAILED:
+            return "VK_ERROR_MEMORY_MAP_FAILED";
+        case VK_ERROR_LAYER_NOT_PRESENT:
+            return "VK_ERROR_LAYER_NOT_PRESENT";
+        case VK_ERROR_EXTENSION_NOT_PRESENT:
+            return "VK_ERROR_EXTENSION_NOT_PRESENT";
+        case VK_ERROR_FEATURE_NOT_PRESENT:
+            return "VK_ERROR_FEATURE_NOT_PRESENT";
+        case VK_ERROR_INCOMPATIBLE_DRIVER:
+            return "VK_ERROR_INCOMPATIBLE_DRIVER";
+        case VK_ERROR_TOO_MANY_OBJECTS:
+            return "VK_ERROR_TOO_MANY_OBJECTS";
+        case VK_ERROR_FORMAT_NOT_SUPPORTED:
+            return "VK_ERROR_FORMAT_NOT_SUPPORTED";
+        case VK_ERROR_FRAGMENTED_POOL:
+            return "VK_ERROR_FRAGMENTED_POOL";
+        case VK_ERROR_OUT_OF_POOL_MEMORY:
+            return "VK_ERROR_OUT_OF_POOL_MEMORY";
+        default:
+            return "VkResult " + std::to_string(result);
+    }
+}
+
+}  // namespace
 
 Result<Gpu> inspect(const DeviceContext& context) {
     if (!context.physicalDevice || !context.device)
@@ -43,8 +84,7 @@ Result<Gpu> inspect(const DeviceContext& context) {
 }
 
 tl::unexpected<Error> vulkanError(const char* call, VkResult result) {
-    return tl::unexpected(
-        Error{ErrorCode::Vulkan, std::string(call) + " failed: " + vk::to_string(vk::Result(result)), result});
+    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + resultName(result), result});
 }
 
 tl::unexpected<Error> invalidArgument(std::string message) {
@@ -56,7 +96,7 @@ tl::unexpected<Error> unsupported(std::string message) {
 }
 
 std::string formatName(VkFormat format) {
-    return vk::to_string(vk::Format(format));
+    return "VkFormat " + std::to_string(format);
 }
 
 std::uint32_t memoryType(const Gpu& gpu, std::uint32_t allowed, VkMemoryPropertyFlags wanted) {
