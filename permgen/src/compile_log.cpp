@@ -124,6 +124,10 @@ int author_column(const std::string& author, const std::string& lowered, const s
     return static_cast<int>(there[which < there.size() ? which : 0]) + 1;
 }
 
+bool is_syntax_error(const Complaint& complaint) {
+    return complaint.text == "Expected";
+}
+
 Place author_place(const LoweredModule& module, const Complaint& complaint, const std::optional<Stop>& stop) {
     const std::size_t index = static_cast<std::size_t>(complaint.line) - 1;
     if (complaint.line <= 0 || index >= module.line_map.size() || module.line_map[index].file.empty())
@@ -133,7 +137,8 @@ Place author_place(const LoweredModule& module, const Complaint& complaint, cons
     const std::string author = nth_line(file, place.line);
     std::istringstream text(module.hlsl);
     const std::string lowered = nth_line(text, complaint.line);
-    int column = author_column(author, lowered, complaint.token, 0);
+    // What is expected is not there, or not where it is missing.
+    int column = is_syntax_error(complaint) ? 0 : author_column(author, lowered, complaint.token, 0);
     if (column == 0 && stop && stop->line == complaint.line)
         column = author_column(author, lowered, token_ending_at(lowered, stop->column), stop->column);
     if (column > 0) place.column = column;
@@ -141,11 +146,12 @@ Place author_place(const LoweredModule& module, const Complaint& complaint, cons
 }
 
 std::string sentence(const Complaint& complaint, const LoweredModule& module, const std::optional<Stop>& stop) {
-    if (complaint.text == "Expected") {
+    if (is_syntax_error(complaint)) {
+        const bool word = !complaint.token.empty() && is_word(complaint.token.front());
+        const std::string expected = "expected " + (word ? complaint.token : "'" + complaint.token + "'");
+        if (!stop || stop->line != complaint.line) return "syntax error: " + expected + " here or on the line before";
         std::istringstream text(module.hlsl);
-        const std::string near =
-            stop && stop->line == complaint.line ? token_ending_at(nth_line(text, stop->line), stop->column) : "";
-        return "syntax error" + (near.empty() ? std::string() : " at '" + near + "'") + ": expected " + complaint.token;
+        return "syntax error at '" + token_ending_at(nth_line(text, stop->line), stop->column) + "': " + expected;
     }
     return complaint.token.empty() ? complaint.text : "'" + complaint.token + "': " + complaint.text;
 }

@@ -82,7 +82,8 @@ std::vector<CompiledModule> compile_modules(const Lowered& effect, int jobs, con
             append_new(diagnostics,
                        {about(module, "PG052",
                               "could not be compiled: the shader compiler " + describe_failure(results[i], limits) +
-                                  "; look for an unusual or malformed construct in it")});
+                                  "; look for a malformed construct in it or beside it, such as a parameter without "
+                                  "a name or a case outside a switch")});
             continue;
         }
         WorkerReply reply = unpack(results[i].reply);

@@ -72,8 +72,12 @@ std::string list_table(const Program& program) {
     std::array<std::size_t, 5> widths{};
     for (const Row& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    std::string text = fmt::format("{}: {} techniques over {} modules\n", program.effect.name,
-                                   program.effect.techniques.size(), program.effect.modules.size());
+    const auto counted = [](std::size_t count, const char* what) {
+        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    std::string text =
+        fmt::format("{}: {} over {}\n", program.effect.name, counted(program.effect.techniques.size(), "technique"),
+                    counted(program.effect.modules.size(), "module"));
     for (const Row& row : rows) {
         std::string line;
         for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);

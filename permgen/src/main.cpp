@@ -37,12 +37,16 @@ std::string check_define(const std::string& define) {
     return is_identifier(define.substr(0, define.find('='))) ? "" : "a definition is NAME or NAME=VALUE";
 }
 
+std::string check_not_empty(const std::string& path) {
+    return path.empty() ? "a path cannot be empty" : "";
+}
+
 std::string check_namespace(const std::string& name) {
     return permgen::is_namespace(name) ? "" : "'" + name + "' cannot be a C++ namespace";
 }
 
 void add_source_options(CLI::App& command, Options& options) {
-    command.add_option("FILE.fx", options.effect, "the effect")->required();
+    command.add_option("FILE.fx", options.effect, "the effect")->required()->check(CLI::Validator(check_not_empty, ""));
     command.add_option("-I", options.include_folders, "folder to look for included files in; may be given again")
         ->type_name("DIR")
         ->expected(1)
@@ -123,7 +127,8 @@ Status run(int argc, char** argv) {
     add_source_options(*compile_command, options);
     compile_command->add_option("-o", options.folder, "folder to write to; made where it is missing")
         ->type_name("DIR")
-        ->required();
+        ->required()
+        ->check(CLI::Validator(check_not_empty, ""));
     compile_command->add_option("--namespace", options.name_space, "of the header; default: the effect's name")
         ->type_name("NS")
         ->check(CLI::Validator(check_namespace, ""));

@@ -1,0 +1,319 @@
+// The program as its users run it: command line in, exit status, files and sentences out.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "validate.h"
+
+namespace permgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::uint32_t> read_words(const fs::path& path) {
+    const std::string bytes = read(path);
+    std::vector<std::uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), words.size() * 4);
+    return words;
+}
+
+struct Outcome {
+    int status;  ///< -1: a signal ended it
+    std::string out;
+    std::string err;
+};
+
+class Cli : public testing::Test {
+protected:
+    Cli() {
+        std::string pattern = testing::TempDir() + "permgen_cli_XXXXXX";
+        folder = ::mkdtemp(pattern.data());
+    }
+    ~Cli() override { fs::remove_all(folder); }
+
+    /// Runs `permgen ARGUMENTS` by the shell in `folder`, with `before` in front of it.
+    Outcome permgen(const std::string& arguments, const std::string& before = {},
+                    const std::string& standard_output = ".out") const {
+        const std::string command = "cd '" + folder.string() + "' && " + before + " '" PERMGEN_PROGRAM "' " +
+                                    arguments + " >" + standard_output + " 2>.err </dev/null";
+        const int ended = std::system(command.c_str());
+        Outcome outcome{WIFEXITED(ended) ? WEXITSTATUS(ended) : -1, read(folder / ".out"), read(folder / ".err")};
+        fs::remove(folder / ".out");
+        fs::remove(folder / ".err");
+        return outcome;
+    }
+
+    void put(const std::string& name, const std::string& text) const {
+        fs::create_directories((folder / name).parent_path());
+        std::ofstream(folder / name, std::ios::binary) << text;
+    }
+
+    /// Every file below `folder / where` with its bytes.
+    std::map<std::string, std::string> files(const std::string& where = ".") const {
+        std::map<std::string, std::string> all;
+        if (fs::is_directory(folder / where))
+            for (const auto& entry : fs::recursive_directory_iterator(folder / where))
+                if (entry.is_regular_file())
+                    all[fs::relative(entry.path(), folder / where).string()] = read(entry.path());
+        return all;
+    }
+
+    fs::path folder;
+};
+
+constexpr const char* slices = SHADERS "/slices.fx";
+
+// Small enough to vary: one vertex shader that feeds one pixel shader.
+constexpr const char* good = R"(float4x4 gClipFromView;
+sampler2D Map;
+struct Point { float4 position : POSITION; float2 uv : TEXCOORD0; };
+Point vs_main(float3 p : POSITION, float2 uv : TEXCOORD0)
+{
+    Point o;
+    o.position = mul(gClipFromView, float4(p, 1.0));
+    o.uv = uv;
+    return o;
+}
+float4 ps_main(float2 uv : TEXCOORD0, uniform bool bMap) : COLOR
+{
+    return bMap ? tex2D(Map, uv) : float4(uv, 0.0, 1.0);
+}
+technique flat { pass p0 { VertexShader = compile vs_3_0 vs_main(); PixelShader = compile ps_3_0 ps_main(false); } }
+technique mapped { pass p0 { VertexShader = compile vs_3_0 vs_main(); PixelShader = compile ps_3_0 ps_main(true); } }
+)";
+
+std::string with(const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST_F(Cli, ListsTheEightTechniquesOverOnePixelModule) {
+    const Outcome outcome = permgen(std::string("list --json ") + slices);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["effect"], "slices");
+    ASSERT_EQ(json["techniques"].size(), 8u);
+    std::size_t seen = 0;
+    for (const char* noise : {"noise", "nonoise"})
+        for (const char* shadow : {"shadow", "noshadow"})
+            for (const char* cookie : {"cookie", "nocookie"}) {
+                const bool with_noise = noise[2] == 'i', with_shadow = shadow[0] == 's', with_cookie = cookie[0] == 'c';
+                const auto& technique = json["techniques"][seen++];
+                EXPECT_EQ(technique["name"], std::string("clip_") + noise + "_" + shadow + "_" + cookie + "_technique");
+                ASSERT_EQ(technique["passes"].size(), 1u);
+                const auto& pass = technique["passes"][0];
+                EXPECT_EQ(pass["vertex"]["module"], "vs_main");
+                EXPECT_EQ(pass["pixel"]["module"], "ps_main");
+                EXPECT_EQ(pass["pixel"]["entry"], "ps_main");
+                const nlohmann::json constants = {
+                    {"bScrollingNoise", with_noise}, {"bShadowMapping", with_shadow}, {"bCookie", with_cookie}};
+                EXPECT_EQ(pass["pixel"]["constants"], constants);
+                nlohmann::json live = {"Globals"};
+                if (with_cookie) live.push_back("CookieSampler");
+                if (with_noise) live.push_back("ScrollingNoiseSampler");
+                if (with_shadow) live.push_back("ShadowMapSampler");
+                EXPECT_EQ(pass["live"], live) << technique["name"];
+                EXPECT_EQ(pass["states"]["DestBlend"], "ONE");
+            }
+}
+
+TEST_F(Cli, SameBytesWhateverTheJobsTheFolderOrTheSecondTime) {
+    ASSERT_EQ(permgen(std::string("compile --freeze --jobs 1 -o a ") + slices).status, 0);
+    const auto first = files("a");
+    EXPECT_EQ(first.size(), 2u + 16u + 2u);  // modules, frozen stages of eight techniques, manifest and header
+    for (const char* options : {"--jobs 2 -o b", "--jobs 8 -o deep/er", "--jobs 2 -o a"}) {
+        ASSERT_EQ(permgen(std::string("compile --freeze ") + options + " " + slices).status, 0);
+        EXPECT_EQ(files(std::strrchr(options, ' ') + 1), first) << options;
+    }
+    fs::copy_file(slices, folder / "slices.fx");
+    ASSERT_EQ(permgen("compile --freeze -o c slices.fx").status, 0);
+    EXPECT_EQ(files("c"), first) << "the same effect by another path";
+}
+
+TEST_F(Cli, EveryModuleIsValid) {
+    ASSERT_EQ(permgen(std::string("compile --freeze -o a ") + slices).status, 0);
+    for (const auto& [name, bytes] : files("a"))
+        if (name.ends_with(".spv")) {
+            EXPECT_EQ(validate_spirv(read_words(folder / "a" / name)), "") << name;
+        }
+}
+
+TEST_F(Cli, AnUnchangedFileKeepsItsTime) {
+    put("good.fx", good);
+    ASSERT_EQ(permgen("compile -o a good.fx").status, 0);
+    const auto before = fs::last_write_time(folder / "a/good.fx.h") - std::chrono::hours(1);
+    fs::last_write_time(folder / "a/good.fx.h", before);
+    ASSERT_EQ(permgen("compile -o a good.fx").status, 0);
+    EXPECT_EQ(fs::last_write_time(folder / "a/good.fx.h"), before);
+}
+
+TEST_F(Cli, TheDepfileNamesEveryFileRead) {
+    put("in clude/tint.fxh", "#define TINT 0.5\n");
+    put("good.fx", "#include \"tint.fxh\"\n" + with("0.0, 1.0", "TINT, 1.0"));
+    const Outcome outcome = permgen("compile -I 'in clude' --depfile a/d -o a good.fx");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(read(folder / "a/d"), "a/good.fx.h: \\\n  good.fx \\\n  in\\ clude/tint.fxh\n");
+}
+
+TEST_F(Cli, DefinitionsReachTheEffect) {
+    put("good.fx", with("0.0, 1.0", "DEPTH, ONE"));
+    EXPECT_EQ(permgen("list good.fx").status, 1);
+    EXPECT_EQ(permgen("list -D DEPTH=0.25 -D ONE good.fx").status, 0);
+}
+
+TEST_F(Cli, TheNamespaceIsTheOneAskedFor) {
+    put("my-effect.fx", good);
+    ASSERT_EQ(permgen("compile -o a my-effect.fx").status, 0);
+    EXPECT_NE(read(folder / "a/my-effect.fx.h").find("namespace my_effect {"), std::string::npos);
+    ASSERT_EQ(permgen("compile --namespace studio::fx -o a my-effect.fx").status, 0);
+    EXPECT_NE(read(folder / "a/my-effect.fx.h").find("namespace studio::fx {"), std::string::npos);
+}
+
+struct Wrong {
+    const char* name;
+    const char* from;
+    const char* to;
+    const char* says;  ///< regular expression for standard error
+};
+void PrintTo(const Wrong& wrong, std::ostream* out) {
+    *out << wrong.name;
+}
+
+class WrongEffect : public Cli, public testing::WithParamInterface<Wrong> {};
+
+TEST_P(WrongEffect, IsToldAndWritesNothing) {
+    put("good.fx", good);
+    ASSERT_EQ(permgen("compile -o a good.fx").status, 0);
+    const auto before = files("a");
+    put("good.fx", with(GetParam().from, GetParam().to));
+    const Outcome outcome = permgen("compile -o a good.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(std::regex_search(outcome.err, std::regex(GetParam().says))) << outcome.err;
+    EXPECT_EQ(files("a"), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cli, WrongEffect,
+    testing::Values(
+        Wrong{"MisspeltEntryPoint", "compile ps_3_0 ps_main(true)", "compile ps_3_0 ps_mian(true)",
+              "^good\\.fx:16:[0-9]+: error\\[PG0[0-9]+\\]: .*ps_mian"},
+        Wrong{"TooFewArguments", "ps_main(true)", "ps_main()", "^good\\.fx:16:[0-9]+: error\\[PG0[0-9]+\\]: .*ps_main"},
+        Wrong{"TooManyArguments", "ps_main(true)", "ps_main(true, false)",
+              "^good\\.fx:16:[0-9]+: error\\[PG0[0-9]+\\]: .*ps_main"},
+        Wrong{"MissingInclude", "sampler2D Map;", "#include \"nowhere.fxh\"\nsampler2D Map;",
+              "^good\\.fx:2:[0-9]+: error\\[PG0[0-9]+\\]: .*nowhere\\.fxh"},
+        Wrong{"UnknownName", "float4(uv, 0.0, 1.0)", "float4(uv, depth, 1.0)",
+              "^good\\.fx:13:47: error\\[PG050\\]: 'depth': unknown variable\n$"},
+        Wrong{"SyntaxError", "return o;", "return o",
+              "^good\\.fx:10: error\\[PG050\\]: syntax error: expected ';' here or on the line before\n$"},
+        Wrong{"CompilerCrash", "return bMap", "case 1: return bMap",
+              "\ngood\\.fx:11:8: error\\[PG052\\]: entry point 'ps_main' .*crashed"},
+        Wrong{"UnfedVarying", "float2 uv : TEXCOORD0; };", "float2 uv : TEXCOORD3; };",
+              "^good\\.fx:15:[0-9]+: error\\[PG060\\]: 'ps_main' reads TEXCOORD0, but 'vs_main' writes only TEXCOORD3"},
+        Wrong{"NarrowVarying", "float2 uv : TEXCOORD0, uniform", "float4 uv : TEXCOORD0, uniform",
+              "error\\[PG0[0-9]+\\]"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_F(Cli, AMistakeInAnIncludedFileIsToldThere) {
+    put("tint.fxh", "// one\nfloat tint(float x)\n{\n    return x * gLevel;\n}\n");
+    put("good.fx", "#include \"tint.fxh\"\n" + with("0.0, 1.0", "tint(uv.x), 1.0"));
+    const Outcome outcome = permgen("list good.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "tint.fxh:4:16: error[PG050]: 'gLevel': unknown variable\n");
+}
+
+class WrongCommandLine : public Cli, public testing::WithParamInterface<const char*> {};
+
+TEST_P(WrongCommandLine, IsStatusTwo) {
+    put("good.fx", good);
+    const auto before = files();
+    const Outcome outcome = permgen(GetParam());
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err, "");
+    EXPECT_EQ(files(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, WrongCommandLine,
+                         testing::Values("", "good.fx", "compile", "compile good.fx", "compile -o a", "list",
+                                         "list good.fx -o a", "compile -o a good.fx more.fx",
+                                         "compile -o a good.fx --jobs 0", "compile -o a good.fx --jobs many",
+                                         "compile -o a good.fx --namespace 9", "compile -o a good.fx --namespace std",
+                                         "compile -o a good.fx -D 9=1", "compile -o a good.fx -D =1",
+                                         "compile -o a good.fx --frozen", "compile -o '' good.fx", "list ''"));
+
+TEST_F(Cli, HelpAndVersionAreFine) {
+    for (const char* arguments : {"--help", "compile --help", "list --help", "--version"}) {
+        const Outcome outcome = permgen(arguments);
+        EXPECT_EQ(outcome.status, 0) << arguments;
+        EXPECT_NE(outcome.out.find("permgen"), std::string::npos) << arguments;
+        EXPECT_EQ(outcome.err, "");
+    }
+}
+
+TEST_F(Cli, AFileThatIsNotThere) {
+    const Outcome outcome = permgen("compile -o a nowhere.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.err.starts_with("nowhere.fx: error[PG0")) << outcome.err;
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Cli, AnOutputFolderThatIsAFile) {
+    put("good.fx", good);
+    put("a", "mine");
+    const auto before = files();
+    const Outcome outcome = permgen("compile -o a good.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "good.fx: error[PG070]: cannot write into 'a': it is not a folder; choose another\n");
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Cli, AnOutputFolderThatCannotBe) {
+    put("good.fx", good);
+    const Outcome outcome = permgen("compile -o /proc/permgen good.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.err.starts_with("good.fx: error[PG070]: cannot make the folder '/proc/permgen'"))
+        << outcome.err;
+}
+
+TEST_F(Cli, AFullDiskLeavesWhatWasThere) {
+    put("good.fx", good);
+    ASSERT_EQ(permgen("compile -o a good.fx").status, 0);
+    const auto before = files();
+    put("good.fx", with("0.0, 1.0", "0.5, 1.0"));
+    const Outcome outcome = permgen("compile -o a good.fx", "ulimit -f 8 &&");  // blocks of 512 or 1024 bytes
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("error[PG070]: cannot write 'a/good.fx.h': File too large"), std::string::npos)
+        << outcome.err;
+    put("good.fx", good);
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Cli, AFullStandardOutputIsAnError) {
+    put("good.fx", good);
+    const Outcome outcome = permgen("list good.fx", {}, "/dev/full");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "error[PG071]: the list could not be written to standard output\n");
+}
+
+}  // namespace
+}  // namespace permgen
