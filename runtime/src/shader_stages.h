@@ -19,7 +19,8 @@ public:
     ~ShaderStages();
 
     /// Once for each object. The frozen module is taken where the table has one: it names live resources
-    /// only, as the layout does. Else the module's constants are specialized.
+    /// only, as the layout does. Else the module's constants are specialized, which is right for passes in
+    /// which everything is live: dead resources count as used before specialization.
     Result<void> load(const permgen::Pass& pass);
 
     std::uint32_t count() const { return count_; }
