@@ -102,8 +102,8 @@ TEST_F(RecordComposite, BlursAcrossTheBackgroundAndEvenSurfaces) {
 TEST_F(RecordComposite, BlurStopsAtDepthEdges) {
     std::vector<float> sharp(16, 0.0f);
     std::fill(sharp.begin(), sharp.begin() + 8, 1.0f);
-    // Twice as far; a surface before the background; a twelfth farther, beyond the tolerance of a tenth... of
-    // reversed depths near / d.
+    // Reversed depth is near / d: twice as far; a surface before the background; an eighth farther, just beyond
+    // the tolerance of a tenth.
     EXPECT_EQ(blurredRow(VK_COMPARE_OP_GREATER_OR_EQUAL, 0.5f, 0.25f), sharp);
     EXPECT_EQ(blurredRow(VK_COMPARE_OP_GREATER, 0.001f, 0.0f), sharp);
     EXPECT_EQ(blurredRow(VK_COMPARE_OP_GREATER_OR_EQUAL, 0.01f, 0.0088f), sharp);

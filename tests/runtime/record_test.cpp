@@ -31,12 +31,15 @@ Light lampWith(const Permutation& permutation) {
     return light;
 }
 
+/// Radiance that 1 stands for in 8 bits: twice the lamp's brightest pixel.
+constexpr double range = 0.0625;
+
 Plan planFor(std::span<const Light> lights, const Stage& stage, Accumulation accumulation = Accumulation::Rgba32f) {
     PlanOptions options;
     options.slices = 16;
     options.accumulation = accumulation;
     options.shadowMapSize = 8;
-    options.range = 0.25;
+    options.range = range;
     return must(plan(lights, eye(stage), options));
 }
 
@@ -138,7 +141,7 @@ TEST_F(Record, StandsInForMissingTexturesOfAForcedTechnique) {
     // Noise is left out: its neutral texture is white, and the gain then says how bright the air is.
     PlanOptions options;
     options.slices = 16;
-    options.range = 0.25;
+    options.range = range;
     options.accumulation = Accumulation::Rgba32f;
     options.technique = techniqueName(false, true, true);
     const Plan forced = must(plan(std::span(&light, 1), eye(stage), options));
@@ -195,10 +198,9 @@ TEST_F(Record, RoutedSumEqualsTheFloatOne) {
     const std::vector<Rgba> a = exact.picture(), b = routed.picture();
     // 16 slices, each rounded once when it is stored in 8 bits: half a step, range / 255. A rasterized share of
     // a slice is the same in both. A thousandth covers the float arithmetic.
-    const float bound = 16 * 0.5f * 0.25f / 255.0f * 1.001f;
+    const auto bound = static_cast<float>(16 * 0.5 * range / 255.0 * 1.001);
     float largest = 0.0f;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        // A saturated channel would be another matter: a quarter of the slices has 0.25 to fill.
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(b[i][c], a[i][c], bound) << "pixel " << i << " channel " << c;
         largest = std::max(largest, a[i][0]);
     }
