@@ -8,8 +8,8 @@ from mathutils import Vector
 
 import textures
 from geometry import place
-from hall_plan import (BACK, FRONT, LANTERN, NAVE_WALL, SILL, TRACERY, WALL_THICKNESS, WINDOW_ARCH, WINDOW_HALF,
-                       WINDOW_SPRING, WINDOW_WALL, WINDOWS)
+from hall_plan import (BACK, FRONT, LANTERN, NAVE_WALL, PANE_HEIGHT, SILL, TRACERY, WALL_THICKNESS, WINDOW_ARCH,
+                       WINDOW_HALF, WINDOW_SPRING, WINDOW_WALL, WINDOWS)
 
 LUMEN_PER_WATT = 683  # the exporter turns Blender's watts into candela with it, spread over the whole sphere
 
@@ -18,6 +18,11 @@ AIM = Vector((TRACERY, 6.5, 4.3))
 SUN_DISTANCE = 16.0
 ELEVATION, AZIMUTH = math.radians(35), math.radians(-14)
 SUN = Vector((math.cos(ELEVATION) * math.cos(AZIMUTH), math.cos(ELEVATION) * math.sin(AZIMUTH), -math.sin(ELEVATION)))
+
+
+# Texels of the slide, 0.06 m at the windows: glass scatters, and detail finer than a slice's share of the air only
+# shows as the slices' own pattern.
+GLASS_BLUR = 1.6
 
 
 def add_light(name, location, direction, colour, candela, cone_degrees, blend, tyndall):
@@ -53,9 +58,10 @@ def glass(position, rotation):
 
     The glass is in the slide alone: as geometry it would throw shadows.
     """
-    straw, ruby, blue, amber = (1.0, 0.94, 0.80), (1.0, 0.30, 0.20), (0.40, 0.62, 1.0), (1.0, 0.70, 0.28)
-    quarries = numpy.array([straw, straw, straw, straw, (1.0, 0.97, 0.88), (1.0, 0.84, 0.55), (0.86, 0.95, 0.80)])
-    borders = numpy.array([ruby, amber, blue, amber])
+    straw, pale, rose, amber = (1.0, 0.92, 0.74), (0.94, 0.96, 0.92), (1.0, 0.76, 0.62), (1.0, 0.76, 0.40)
+    ruby, blue = (1.0, 0.38, 0.24), (0.30, 0.52, 1.0)
+    panes = numpy.array([straw, amber, straw, pale, rose, straw, pale])
+    heads = numpy.array([ruby, blue])
 
     def colour_of(x, y):
         axes = numpy.array(rotation)
@@ -63,39 +69,30 @@ def glass(position, rotation):
         reach = (TRACERY - position.x) / rays[..., 0]
         across = position.y + reach * rays[..., 1]
         up = position.z + reach * rays[..., 2]
-        across -= numpy.array(WINDOWS)[numpy.abs(across[..., None] - numpy.array(WINDOWS)).argmin(axis=-1)]
+        window = numpy.abs(across[..., None] - numpy.array(WINDOWS)).argmin(axis=-1)
+        right = across > numpy.array(WINDOWS)[window]
 
-        # Diamond quarries, each of its own glass.
-        p, q = across / 0.21 + up / 0.30, across / 0.21 - up / 0.30
-        kind = (numpy.floor(p) * 7 + numpy.floor(q) * 13 + numpy.floor(p) * numpy.floor(q)).astype(int)
-        colour = quarries[kind % len(quarries)]
-        lead = numpy.minimum(p % 1, q % 1) < 0.09
-
-        # A coloured border along both lights of the window, and coloured heads.
-        light = numpy.abs(numpy.abs(across) - WINDOW_HALF / 2)
-        border = light > WINDOW_HALF / 2 - 0.17
-        piece = numpy.floor(up / 0.34).astype(int)
-        colour = numpy.where(border[..., None], borders[piece % len(borders)], colour)
-        lead = numpy.where(border, (up / 0.34) % 1 < 0.06, lead)
-        head = up > WINDOW_SPRING
-        colour = numpy.where(head[..., None], numpy.where((kind % 3 == 0)[..., None], ruby, blue), colour)
-        return colour * numpy.where(lead, 0.15, 1.0)[..., None]
+        # One glass a pane, large pieces: what the bars divide is what the beams show. Coloured heads.
+        row = numpy.floor((up - SILL) / PANE_HEIGHT).astype(int)
+        colour = panes[(row * 2 + right + window * 3) % len(panes)]
+        return numpy.where((up > WINDOW_SPRING)[..., None], heads[(right + window) % len(heads)], colour)
 
     return colour_of
 
 
 def build_lights():
     position, rotation, fov, near, far = sun_frame()
-    add_light("Sun through the windows", position, SUN, (1.0, 0.80, 0.56), 1700, 60, 0.15, {
+    add_light("Sun through the windows", position, SUN, (1.0, 0.80, 0.56), 1500, 60, 0.15, {
         "shape": "frustum", "fov": [round(math.degrees(a), 2) for a in fov],
-        "near": round(near, 2), "far": round(far, 2), "shadow": "dynamic", "density": 0.06,
+        "near": round(near, 2), "far": round(far, 2), "shadow": "dynamic", "density": 0.042,
         # World space, glTF's axes: nothing outside the windows, nothing under the floor.
         "clipPlanes": [[1.0, 0.0, 0.0, -TRACERY], [0.0, 1.0, 0.0, 0.0]],
         "noise": {"scale": [3.6, 2.0], "scroll1": [0.011, 0.006], "scroll2": [-0.008, 0.009], "gain": 1 / 0.3}})
-    add_light("Lantern light", Vector(LANTERN), Vector((0, 0, -1)), (1.0, 0.62, 0.28), 20, 84, 0.6, {
+    add_light("Lantern light", Vector(LANTERN), Vector((0, 0, -1)), (1.0, 0.62, 0.28), 14, 84, 0.6, {
         "shape": "cone", "near": 0.1, "far": round(LANTERN[2] + 0.1, 2), "shadow": "static", "density": 0.06})
     # What the pools of light on the floor send back up. It lights surfaces alone: in air of density 0 it throws
     # no shafts, and none are simulated.
     add_light("Bounce from the floor", Vector((0.5, 6.0, -3.0)), Vector((0, 0, 1)), (1.0, 0.84, 0.66), 5, 140, 0.5, {
         "shape": "cone", "near": 0.5, "far": 25.0, "shadow": "none", "density": 0.0})
-    return {"Sun through the windows": (textures.slide(512, fov, glass(position, rotation)), textures.dust())}
+    slide = textures.slide(256, fov, glass(position, rotation), GLASS_BLUR)
+    return {"Sun through the windows": (slide, textures.dust())}

@@ -53,7 +53,7 @@ def dust(size=256, contrast=0.28):
     has mean 0.3, so that a gain of 1/0.3 leaves the brightness of the air as it was."""
     pixels = numpy.zeros((size, size, 3))
     for channel, (cells, seed) in enumerate(((3, 11), (4, 29))):
-        field = numpy.clip(numpy.sqrt(0.3) + contrast * billows(size, cells, 5, seed), 0.03, 1.0)
+        field = numpy.clip(numpy.sqrt(0.3) + contrast * billows(size, cells, 4, seed), 0.03, 1.0)
         for _ in range(8):  # clipping moved the mean
             field = numpy.clip(field + numpy.sqrt(0.3) - field.mean(), 0.03, 1.0)
         pixels[..., channel] = field
@@ -73,14 +73,28 @@ def srgb(linear):
     return numpy.where(linear <= 0.0031308, linear * 12.92, bright)
 
 
-def slide(size, fov, colour_of, samples=3):
+def soften(picture, sigma):
+    """Gaussian blur by `sigma` rows and columns; edges repeat."""
+    reach = int(numpy.ceil(3 * sigma))
+    kernel = numpy.exp(-0.5 * (numpy.arange(-reach, reach + 1) / sigma) ** 2)
+    kernel /= kernel.sum()
+    for axis in (0, 1):
+        size = picture.shape[axis]
+        at = numpy.clip(numpy.arange(-reach, size + reach), 0, size - 1)
+        wide = picture.take(at, axis=axis)
+        picture = sum(k * wide.take(numpy.arange(i, i + size), axis=axis) for i, k in enumerate(kernel))
+    return picture
+
+
+def slide(size, fov, colour_of, blur, samples=4):
     """What a lamp has to project so that `colour_of(x, y)` arrives on the plane one metre before it.
 
     `fov`: full angles in radians; x to the lamp's right and y up, arrays; linear RGB out. Each texel is the mean
-    of `samples` squared points. Row 0 is the top: the picture is as an eye at the lamp would see it.
+    of `samples` squared points, then the slide is put out of focus by `blur` texels. Row 0 is the top: the picture
+    is as an eye at the lamp would see it.
     """
     fine = (numpy.arange(size * samples) + 0.5) / (size * samples) * 2 - 1
     x = fine[None, :] * numpy.tan(fov[0] / 2) * numpy.ones((size * samples, 1))
     y = -fine[:, None] * numpy.tan(fov[1] / 2) * numpy.ones((1, size * samples))
     linear = colour_of(x, y).reshape(size, samples, size, samples, 3).mean(axis=(1, 3))
-    return png(numpy.rint(srgb(numpy.clip(linear, 0, 1)) * 255))
+    return png(numpy.rint(srgb(numpy.clip(soften(linear, blur), 0, 1)) * 255))
