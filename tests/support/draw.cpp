@@ -8,6 +8,8 @@
 namespace tyndall::test {
 namespace {
 
+constexpr VkFormat kPictureFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
 std::size_t bytesOf(Accumulation accumulation) {
     switch (accumulation) {
         case Accumulation::Rgba8:
@@ -35,12 +37,23 @@ std::array<float, 4> decode(const std::byte* texel, Accumulation accumulation) {
     return value;
 }
 
-Picture decodePicture(const std::vector<std::byte>& bytes, const Shot& shot, Accumulation accumulation) {
-    Picture picture{shot.width, shot.height, {}};
-    const std::size_t step = bytesOf(accumulation);
+Picture download(const headless::Image& image, VkImageLayout layout, Accumulation format) {
+    const std::vector<std::byte> bytes = must(headless::readback(gpu().device, image, layout));
+    Picture picture{static_cast<int>(image.extent().width), static_cast<int>(image.extent().height), {}};
+    const std::size_t step = bytesOf(format);
     for (std::size_t at = 0; at + step <= bytes.size(); at += step)
-        picture.pixels.push_back(decode(bytes.data() + at, accumulation));
+        picture.pixels.push_back(decode(bytes.data() + at, format));
     return picture;
+}
+
+void fillBackground(VkCommandBuffer commands, const headless::Image& picture) {
+    headless::transition(commands, picture, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    VkClearColorValue value{};
+    std::copy(kBackground.begin(), kBackground.end(), value.float32);
+    const VkImageSubresourceRange whole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    vkCmdClearColorImage(commands, picture.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &whole);
+    headless::transition(commands, picture, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                         VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
 }
 
 // Images that stay alive until the picture is read.
@@ -76,9 +89,14 @@ headless::Image colourTarget(const Shot& shot, VkFormat format, VkImageUsageFlag
 }
 
 RendererCounters difference(const RendererCounters& after, const RendererCounters& before) {
-    return {after.draws - before.draws, after.slicesDrawn - before.slicesDrawn,
-            after.descriptorsPushed - before.descriptorsPushed, after.pipelinesCreated - before.pipelinesCreated,
-            after.bytesUploaded - before.bytesUploaded};
+    RendererCounters delta;
+    delta.draws = after.draws - before.draws;
+    delta.slicesDrawn = after.slicesDrawn - before.slicesDrawn;
+    delta.descriptorsPushed = after.descriptorsPushed - before.descriptorsPushed;
+    delta.pipelinesCreated = after.pipelinesCreated - before.pipelinesCreated;
+    delta.bytesUploaded = after.bytesUploaded - before.bytesUploaded;
+    delta.neutralTexturesCreated = after.neutralTexturesCreated - before.neutralTexturesCreated;
+    return delta;
 }
 
 }  // namespace
@@ -120,8 +138,10 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
     const headless::Image sum = colourTarget(
         shot, accumulationFormat(options.accumulation),
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, "sum");
-    const headless::Image colour =
-        colourTarget(shot, VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, "colour");
+    const headless::Image colour = colourTarget(
+        shot, kPictureFormat,
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+        "picture");
     ShaftTargets targets;
     targets.extent = sum.extent();
     targets.accumulation = sum.handle();
@@ -130,23 +150,25 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
     targets.depthFormat = depth.format();
     targets.colour = colour.view();
     targets.colourFormat = colour.format();
+    targets.blur = options.blur;
 
     const RendererCounters before = g.renderer.counters();
     FrameData frame;
     must(g.renderer.upload(frame, drawing.plan));
+    // Nothing to draw leaves no group: the sum is then black by definition.
+    const bool empty = drawing.plan.groups.empty();
     must(headless::submitAndWait(g.device, [&](VkCommandBuffer commands) -> Result<void> {
-        // Nothing to draw leaves no group: the sum is then black by definition.
-        if (drawing.plan.groups.empty()) return {};
-        return g.renderer.recordAccumulation(commands, frame, drawing.plan, 0, std::span(&textures.views, 1), targets);
+        fillBackground(commands, colour);
+        if (empty) return {};
+        const std::span views(&textures.views, 1);
+        Result<void> done = g.renderer.recordAccumulation(commands, frame, drawing.plan, 0, views, targets);
+        if (done && options.composite) done = g.renderer.recordComposite(commands, frame, drawing.plan, 0, targets);
+        return done;
     }));
     drawing.counters = difference(g.renderer.counters(), before);
-    if (drawing.plan.groups.empty()) {
-        drawing.sum = {shot.width, shot.height,
-                       std::vector<std::array<float, 4>>(static_cast<std::size_t>(shot.width) * shot.height)};
-        return drawing;
-    }
-    drawing.sum = decodePicture(must(headless::readback(g.device, sum, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL)), shot,
-                                options.accumulation);
+    drawing.picture = download(colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, Accumulation::Rgba32f);
+    drawing.sum = empty ? Picture{shot.width, shot.height, decltype(Picture::pixels)(drawing.picture.pixels.size())}
+                        : download(sum, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, options.accumulation);
     return drawing;
 }
 

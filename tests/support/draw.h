@@ -18,11 +18,16 @@ struct DrawOptions {
     Accumulation accumulation = Accumulation::Rgba32f;
     double range = 1.0;                         ///< PlanOptions::range
     std::optional<std::string_view> technique;  ///< PlanOptions::technique
+    bool composite = false;                     ///< into a picture of kBackground
+    bool blur = false;                          ///< when compositing
 };
+
+inline constexpr std::array<float, 4> kBackground{0.125f, 0.25f, 0.5f, 1.0f};
 
 struct Drawing {
     Plan plan;
     Picture sum;                ///< the accumulation target, as stored
+    Picture picture;            ///< what it was composited into
     RendererCounters counters;  ///< of this drawing alone; pipelines may have been made before
 };
 

@@ -44,7 +44,7 @@ OracleImage oracle(const Shot& shot) {
             PixelSum& pixel = image.pixels[static_cast<std::size_t>(y) * shot.width + x];
             std::array<std::array<double, 4>, 4> quarterTotals{};
             for (int i = 0; i < shot.slices; ++i) {
-                const double depth = range.nearest + (i + 0.5) * thickness;
+                const double depth = range.farthest - (i + 0.5) * thickness;
                 const Seen seen = coverage(context, x, y, depth);
                 if (seen == Seen::No) continue;
                 const auto value = radiance(context, x, y, depth);

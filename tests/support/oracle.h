@@ -45,7 +45,7 @@ struct Shot {
 /// What the slices add up to at one pixel, in radiance (not scaled to a target's range).
 struct PixelSum {
     std::array<Interval, 4> rgba{};                    ///< all slices; alpha is the grey value
-    std::array<std::array<Interval, 4>, 4> quarter{};  ///< [i mod 4]: the slices of that residue
+    std::array<std::array<Interval, 4>, 4> quarter{};  ///< [i mod 4], slice 0 the farthest
     int fragments = 0;                                 ///< slices that may be seen here
     std::array<double, 4> runningTotals{};             ///< sum over those slices of the largest total so far
     std::array<double, 4> largest{};                   ///< the largest single contribution

@@ -1,0 +1,111 @@
+// What must hold between permutations, whatever the picture shows: a term that masks nothing changes nothing,
+// a term that masks everything leaves nothing.
+#include <cmath>
+
+#include "draw.h"
+#include "permutation.h"
+
+namespace tyndall::test {
+namespace {
+
+class LawTest : public GpuTest, public testing::WithParamInterface<Permutation> {};
+
+INSTANTIATE_TEST_SUITE_P(SlicesFx, LawTest, testing::ValuesIn(permutations()), PermutationName());
+
+// Two pictures of which one only leaves out a factor of exactly 1.
+void expectIdentical(const Drawing& a, const Drawing& b) {
+    ASSERT_EQ(whyNotFinite(a.sum), "");
+    ASSERT_EQ(whyNotFinite(b.sum), "");
+    EXPECT_GT(litPixels(a.sum), 500);
+    int different = 0;
+    for (std::size_t i = 0; i < a.sum.pixels.size(); ++i) different += a.sum.pixels[i] != b.sum.pixels[i];
+    EXPECT_EQ(different, 0) << "largest difference " << largestDifference(a.sum, b.sum);
+}
+
+void expectWithin(const Drawing& a, const Drawing& b, double relative) {
+    ASSERT_EQ(whyNotFinite(a.sum), "");
+    ASSERT_EQ(whyNotFinite(b.sum), "");
+    EXPECT_GT(litPixels(a.sum), 500);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < a.sum.pixels.size(); ++i)
+        for (int c = 0; c < 4; ++c) {
+            const double x = static_cast<double>(a.sum.pixels[i][c]), y = static_cast<double>(b.sum.pixels[i][c]);
+            if (x != y) worst = std::max(worst, std::abs(x - y) / std::max(std::abs(x), std::abs(y)));
+        }
+    EXPECT_LE(worst, relative);
+}
+
+void expectExactlyZero(const Shot& shot, const Permutation& permutation) {
+    const Drawing drawing = draw(shot);
+    EXPECT_EQ(drawing.plan.lights.at(0).technique, permutation.technique->name);
+    EXPECT_GT(drawing.counters.draws, 0u);
+    int nonzero = 0;
+    for (const auto& pixel : drawing.sum.pixels)
+        for (const float value : pixel) nonzero += !(value == 0.0f);  // NaN counts
+    EXPECT_EQ(nonzero, 0);
+}
+
+// Multiplying by 1.0 is exact, and so is interpolating between ones: (1 - t) + t rounds to 1.
+TEST_P(LawTest, WhiteCookieEqualsNoCookie) {
+    if (!GetParam().cookie) GTEST_SKIP() << "no cookie";
+    Shot white = shotFor(GetParam(), sideView());
+    white.cookieMap = constantTexture(4, 4, {1.0f, 1.0f, 1.0f, 1.0f});
+    expectIdentical(draw(white), draw(withTerms(white, GetParam().noise, GetParam().shadow, false)));
+}
+
+// Every comparison comes out lit, and bilinear weights of four ones add up to exactly 1.
+TEST_P(LawTest, EmptyShadowMapEqualsNoShadow) {
+    if (!GetParam().shadow) GTEST_SKIP() << "no shadow";
+    Shot empty = shotFor(GetParam(), sideView());
+    empty.shadowMap = constantTexture(32, 32, {0.0f});
+    expectIdentical(draw(empty), draw(withTerms(empty, GetParam().noise, false, GetParam().cookie)));
+}
+
+TEST_P(LawTest, BlackCookieLeavesNothing) {
+    if (!GetParam().cookie) GTEST_SKIP() << "no cookie";
+    Shot black = shotFor(GetParam(), sideView());
+    black.cookieMap = constantTexture(4, 4, {0.0f, 0.0f, 0.0f, 1.0f});
+    expectExactlyZero(black, GetParam());
+}
+
+TEST_P(LawTest, FullOcclusionLeavesNothing) {
+    if (!GetParam().shadow) GTEST_SKIP() << "no shadow";
+    Shot blocked = shotFor(GetParam(), sideView());
+    blocked.shadowMap = constantTexture(32, 32, {1.0f});
+    blocked.shadowBias = 0.0;
+    expectExactlyZero(blocked, GetParam());
+}
+
+TEST_P(LawTest, ZeroNoiseLeavesNothing) {
+    if (!GetParam().noise) GTEST_SKIP() << "no noise";
+    for (const auto& [red, green] : {std::pair{0.0f, 1.0f}, {1.0f, 0.0f}, {0.0f, 0.0f}}) {
+        Shot still = shotFor(GetParam(), sideView());
+        still.noiseMap = constantTexture(4, 4, {red, green});
+        expectExactlyZero(still, GetParam());
+    }
+}
+
+// 0.5 * 0.6 = 0.3. With e = 2^-24: gain, 0.6 and two products 4 e, interpolating constants three times 2 e for each
+// channel, the factor's way into the product 1 e; and 1 e of the total for each of 16 additions in either
+// picture. 4 + 12 + 1 + 32 = 49 e.
+TEST_P(LawTest, NoiseOfConstantProductEqualsNoNoiseAtTheInverseGain) {
+    if (!GetParam().noise) GTEST_SKIP() << "no noise";
+    Shot even = shotFor(GetParam(), sideView());
+    even.noiseMap = constantTexture(4, 4, {0.5f, 0.6f});
+    even.light.noise->gain = 1.0 / 0.3;
+    ASSERT_EQ(even.slices, 16);
+    expectWithin(draw(even), draw(withTerms(even, false, GetParam().shadow, GetParam().cookie)), 49.0 * kFloatEps);
+}
+
+// A technique may be forced on a light that does not call for it; what it lacks then masks nothing.
+TEST_P(LawTest, ForcedOnALightWithoutItsTermsItDrawsTheSame) {
+    const Shot plain = withTerms(sideView(), false, false, false);
+    DrawOptions forced;
+    forced.technique = GetParam().technique->name;
+    const Drawing drawing = draw(plain, forced);
+    EXPECT_EQ(drawing.plan.lights.at(0).technique, GetParam().technique->name);
+    expectIdentical(drawing, draw(plain));
+}
+
+}  // namespace
+}  // namespace tyndall::test

@@ -1,0 +1,54 @@
+// A technique keeps the resources that its switches call for, and not one more.
+#include <set>
+
+#include "draw.h"
+#include "permutation.h"
+
+namespace tyndall::test {
+namespace {
+
+class LiveTest : public GpuTest, public testing::WithParamInterface<Permutation> {};
+
+INSTANTIATE_TEST_SUITE_P(SlicesFx, LiveTest, testing::ValuesIn(permutations()), PermutationName());
+
+std::set<std::string> samplersOf(const Permutation& permutation) {
+    std::set<std::string> names;
+    if (permutation.cookie) names.insert("CookieSampler");
+    if (permutation.noise) names.insert("ScrollingNoiseSampler");
+    if (permutation.shadow) names.insert("ShadowMapSampler");
+    return names;
+}
+
+TEST_P(LiveTest, ExactlyTheUniformBlockAndTheSamplersItsSwitchesCallFor) {
+    std::set<std::string> samplers;
+    int blocks = 0;
+    for (const permgen::Resource* resource : GetParam().pass().live) {
+        if (resource->kind == permgen::ResourceKind::UniformBuffer) {
+            ++blocks;
+        } else {
+            EXPECT_EQ(resource->dimension, permgen::ImageDimension::Two);
+            EXPECT_TRUE(samplers.insert(std::string(resource->name)).second) << "listed twice";
+        }
+    }
+    EXPECT_EQ(samplers, samplersOf(GetParam()));
+    EXPECT_EQ(blocks, 1);
+}
+
+// draw() passes null views for everything that the light does not have: were one of them bound, validation
+// would speak up.
+TEST_P(LiveTest, OnlyLiveResourcesAreBound) {
+    const Drawing drawing = draw(shotFor(GetParam(), sideView()));
+    EXPECT_EQ(drawing.counters.descriptorsPushed, 1 + samplersOf(GetParam()).size());
+    EXPECT_EQ(drawing.counters.neutralTexturesCreated, 0u);
+    EXPECT_EQ(drawing.counters.draws, 1u);
+    EXPECT_EQ(drawing.counters.slicesDrawn, 16u);
+}
+
+TEST_P(LiveTest, ItsPipelineIsMadeOnce) {
+    const Shot shot = shotFor(GetParam(), sideView());
+    draw(shot);
+    EXPECT_EQ(draw(shot).counters.pipelinesCreated, 0u);
+}
+
+}  // namespace
+}  // namespace tyndall::test
