@@ -13,7 +13,7 @@ namespace {
 
 constexpr int failed = 1, wrongCommandLine = 2;
 
-void expectRefusal(const Run& run, int status, const std::string& says) {
+void expectRefusal(const ProgramRun& run, int status, const std::string& says) {
     EXPECT_EQ(run.status, status) << run.errors;
     EXPECT_TRUE(run.errors.starts_with("tyndall: error: ")) << run.errors;
     EXPECT_NE(run.errors.find(says), std::string::npos) << run.errors;
@@ -71,7 +71,7 @@ TEST(Command, NothingAsked) {
 }
 
 TEST(Command, HelpIsNoError) {
-    const Run run = runTyndall({"render", "--help"});
+    const ProgramRun run = runTyndall({"render", "--help"});
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.output.find("--planes"), std::string::npos);
     EXPECT_EQ(run.errors, "");
@@ -110,8 +110,8 @@ TEST(Command, StatisticsUnwritable) {
 
 TEST(Command, NoVulkanDevice) {
     const std::string picture = freshPath("picture.png");
-    const Run run = runTyndall({"render", writeScene(wallScene()), "-o", picture},
-                               {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
+    const ProgramRun run = runTyndall({"render", writeScene(wallScene()), "-o", picture},
+                                      {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
     expectRefusal(run, failed, "ulkan");
     EXPECT_TRUE(neighbours(picture).empty());
 }
@@ -125,8 +125,8 @@ TEST(Command, BrokenSceneLeavesNothingBehind) {
 }
 
 TEST(Command, ExplainNeedsNoDevice) {
-    const Run run = runTyndall({"explain", writeScene(wallScene())},
-                               {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
+    const ProgramRun run = runTyndall({"explain", writeScene(wallScene())},
+                                      {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
     EXPECT_EQ(run.status, 0) << run.errors;
     EXPECT_NE(run.output.find("light \"Lamp\": drawn"), std::string::npos) << run.output;
     EXPECT_NE(run.output.find("clip_nonoise_shadow_cookie_technique"), std::string::npos) << run.output;
@@ -137,7 +137,7 @@ TEST(Command, ExplainAsJson) {
     Glb glb = wallScene();
     glb.json["extensions"]["KHR_lights_punctual"]["lights"].push_back({{"type", "point"}});
     glb.addNode({{"name", "Bulb"}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
-    const Run run = runTyndall({"explain", writeScene(glb), "--json", "--planes", "8"});
+    const ProgramRun run = runTyndall({"explain", writeScene(glb), "--json", "--planes", "8"});
     ASSERT_EQ(run.status, 0) << run.errors;
     const auto report = nlohmann::json::parse(run.output);
     ASSERT_EQ(report["lights"].size(), 2u);
@@ -151,7 +151,7 @@ TEST(Command, ExplainAsJson) {
 TEST(Command, NothingInTheConeMeansNoShadowMap) {
     Glb glb = wallScene();
     glb.json["nodes"][0]["translation"] = {0, 0, 50};  // behind lamp and camera
-    const Run run = runTyndall({"explain", writeScene(glb), "--json"});
+    const ProgramRun run = runTyndall({"explain", writeScene(glb), "--json"});
     ASSERT_EQ(run.status, 0) << run.errors;
     EXPECT_EQ(nlohmann::json::parse(run.output)["lights"][0]["technique"], "clip_nonoise_noshadow_cookie_technique");
 }

@@ -29,7 +29,7 @@ std::string contents(const std::string& path) {
 
 }  // namespace
 
-Run runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+ProgramRun runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
     const std::string out = freshPath("out.txt"), err = freshPath("err.txt");
     const pid_t child = fork();
     if (child == 0) {

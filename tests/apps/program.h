@@ -6,7 +6,7 @@
 
 namespace tyndall::test {
 
-struct Run {
+struct ProgramRun {
     int status = -1;     ///< exit status; 128 + signal where it was killed
     std::string output;  ///< standard output
     std::string errors;  ///< standard error
@@ -14,7 +14,7 @@ struct Run {
 
 /// Runs it with these arguments on lavapipe, with these "NAME=value" settings on top of the environment.
 /// Killed after two minutes.
-Run runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+ProgramRun runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
 
 /// What an OpenEXR or PNG file holds: `channels` floats a pixel, rows top to bottom.
 struct Pixels {

@@ -16,7 +16,7 @@ Pixels render(const Glb& glb, std::vector<std::string> options) {
     const std::string picture = freshPath("picture.exr");
     std::vector<std::string> arguments = {"render", writeScene(glb), "-o", picture, "--validate", "--size", "64x64"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const Run run = runTyndall(arguments);
+    const ProgramRun run = runTyndall(arguments);
     EXPECT_EQ(run.status, 0) << run.errors;
     EXPECT_NE(run.errors.find("wrote " + picture), std::string::npos) << run.errors;
     return run.status == 0 ? readPixels(picture) : Pixels{};
@@ -191,7 +191,7 @@ TEST(Render, ForcedTechniqueDrawsWhatTheLightLacks) {
 
 TEST(Render, PngByDefaultBesideNothingElse) {
     const std::string picture = freshPath("picture.png");
-    const Run run = runTyndall({"render", writeScene(wallScene()), "-o", picture, "--size", "33x17"});
+    const ProgramRun run = runTyndall({"render", writeScene(wallScene()), "-o", picture, "--size", "33x17"});
     ASSERT_EQ(run.status, 0) << run.errors;
     const Pixels pixels = readPixels(picture);
     EXPECT_EQ(pixels.width, 33);

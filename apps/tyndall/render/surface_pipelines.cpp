@@ -66,29 +66,20 @@ VkResult createLayouts(VkDevice device, SurfacePipeline& pipeline) {
     return vkCreatePipelineLayout(device, &layout, nullptr, &pipeline.layout);
 }
 
-/// A shader module with its switches as specialization data.
+/// A shader, frozen: what its switches turn off is not in the code, so the layout need not hold it.
 struct Stage {
     VkPipelineShaderStageCreateInfo info{};
-    VkSpecializationInfo specialization{};
-    std::vector<VkSpecializationMapEntry> entries;
-    std::vector<std::uint32_t> values;
     std::string entry;
 
     VkResult load(VkDevice device, const permgen::Shader& shader, VkShaderStageFlagBits stage) {
         entry = shader.module->entry;
-        for (const permgen::Constant& constant : shader.constants) {
-            entries.push_back({constant.id, static_cast<std::uint32_t>(4 * values.size()), 4});
-            values.push_back(constant.bits);
-        }
-        specialization = {static_cast<std::uint32_t>(entries.size()), entries.data(), 4 * values.size(), values.data()};
         VkShaderModuleCreateInfo code{};
         code.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-        code.codeSize = shader.module->code.size_bytes();
-        code.pCode = shader.module->code.data();
+        code.codeSize = shader.frozen.size_bytes();
+        code.pCode = shader.frozen.data();
         info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
         info.stage = stage;
         info.pName = entry.c_str();
-        info.pSpecializationInfo = &specialization;
         return vkCreateShaderModule(device, &code, nullptr, &info.module);
     }
 };
@@ -214,11 +205,14 @@ void SurfacePipelines::push(VkCommandBuffer commands, const SurfacePipeline& pip
         write.dstBinding = resource.binding;
         write.descriptorCount = 1;
         write.descriptorType = descriptorType(resource);
-        write.pBufferInfo = &uniforms;
-        for (const BoundImage& image : images)
-            if (image.sampler == resource.name)
-                infos[i] = {pipeline.samplers[i], image.view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-        write.pImageInfo = &infos[i];
+        if (resource.kind == permgen::ResourceKind::UniformBuffer) {
+            write.pBufferInfo = &uniforms;
+        } else {
+            for (const BoundImage& image : images)
+                if (image.sampler == resource.name)
+                    infos[i] = {pipeline.samplers[i], image.view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+            write.pImageInfo = &infos[i];
+        }
         writes.push_back(write);
     }
     pushDescriptors_(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout, 0,
