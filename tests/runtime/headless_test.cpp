@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(, HeadlessReadback,
                                          FormatCase{"rgba32f", VK_FORMAT_R32G32B32A32_SFLOAT, 16},
                                          FormatCase{"d16", VK_FORMAT_D16_UNORM, 2},
                                          FormatCase{"d32", VK_FORMAT_D32_SFLOAT, 4}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& row) { return row.param.name; });
 
 TEST(Headless, GivesMemoryBack) {
     const auto device = lavapipe();

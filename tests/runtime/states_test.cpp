@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FactorRow{"DESTCOLOR", VK_BLEND_FACTOR_DST_COLOR, VK_BLEND_FACTOR_DST_ALPHA},
                     FactorRow{"INVDESTCOLOR", VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR, VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA},
                     FactorRow{"SRCALPHASAT", VK_BLEND_FACTOR_SRC_ALPHA_SATURATE, VK_BLEND_FACTOR_SRC_ALPHA_SATURATE}),
-    [](const auto& info) { return info.param.word; });
+    [](const auto& row) { return row.param.word; });
 
 TEST(States, BlendOperations) {
     const std::vector<std::pair<const char*, VkBlendOp>> rows{{"ADD", VK_BLEND_OP_ADD},
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(, BadStates,
                                          BadRow{"MaskTooLarge", {"ColorWriteEnable", "16"}, "cannot be 16"},
                                          BadRow{"MaskEndless", {"ColorWriteEnable", "99999999999"}, "cannot be 9"},
                                          BadRow{"MaskDangling", {"ColorWriteEnable", "RED|"}, "cannot be RED|"}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& row) { return row.param.name; });
 
 TEST(SamplerStates, DefaultsAreDirect3D9s) {
     const auto info = samplerInfo({});
