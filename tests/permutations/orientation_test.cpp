@@ -40,8 +40,8 @@ const glm::dvec3 kTopLeft{1.0, 0.125, 0.0}, kTopRight{0.0, 1.0, 0.25}, kBottomLe
     kBottomRight{0.75, 0.5, 0.375};
 
 Texture fourQuadrants() {
-    return makeTexture(8, 8, 4, [](int x, int y, int c) {
-        const glm::dvec3 colour = y < 4 ? (x < 4 ? kTopLeft : kTopRight) : (x < 4 ? kBottomLeft : kBottomRight);
+    return makeTexture(32, 32, 4, [](int x, int y, int c) {
+        const glm::dvec3 colour = y < 16 ? (x < 16 ? kTopLeft : kTopRight) : (x < 16 ? kBottomLeft : kBottomRight);
         return c < 3 ? colour[c] : 1.0;
     });
 }
@@ -68,16 +68,18 @@ TEST_F(OrientationTest, AnEyeFacingTheLampSeesTheSlideMirrored) {
     const glm::dvec3 ahead = -glm::dvec3(frame[2]);
     plain.eye.worldFromView = {-frame[0], frame[1], -frame[2],
                                glm::dvec4(glm::dvec3(frame[3]) + ahead * (plain.light.farPlane + 1.0), 1.0)};
-    plain.eye.verticalFov = 0.3;
+    plain.eye.verticalFov = 2.0 * std::atan(0.3);
     Shot slide = plain;
     slide.light.cookie = true;
     slide.cookieMap = fourQuadrants();
     const Picture masked = draw(slide).sum, open = draw(plain).sum;
-    // Rays that stay in one quadrant of the slide all the way: they run nearly along the axis.
-    expectColour(ratio(masked, open, 84, 20), kTopLeft, "right of the picture shows the slide's left");
-    expectColour(ratio(masked, open, 44, 20), kTopRight, "left of the picture shows the slide's right");
-    expectColour(ratio(masked, open, 84, 44), kBottomLeft, "bottom right");
-    expectColour(ratio(masked, open, 44, 44), kBottomRight, "bottom left");
+    // A ray stays on its side of the axis all the way. It enters the volume a metre from the eye, where it is
+    // 0.35 m beside the axis and 0.2 m above it: at the slide's scale 8 % and 9 % off the middle, more than a
+    // texel of 3 %, and farther off all the time from there.
+    expectColour(ratio(masked, open, 101, 11), kTopLeft, "top right of the picture");
+    expectColour(ratio(masked, open, 26, 11), kTopRight, "top left of the picture");
+    expectColour(ratio(masked, open, 101, 52), kBottomLeft, "bottom right of the picture");
+    expectColour(ratio(masked, open, 26, 52), kBottomRight, "bottom left of the picture");
 }
 
 // Red is read at uv * scale + scroll1 * time, green at uv * scale + scroll2 * time, both repeating. Red has

@@ -211,9 +211,12 @@ std::array<Interval, 4> radiance(const FragmentContext& context, int x, int y, d
     if (shot.light.shadow) intensity = intensity * lightThrough(context, point);
 
     const double scatter = shot.article ? 1.0 : shot.light.density / (4.0 * std::numbers::pi);
+    // One grey value stands for the light at its brightest channel; its tint brings the others down again.
+    const glm::dvec3 own = shot.light.colour;
+    const glm::dvec3 lamp = shot.routed ? glm::dvec3(std::max({own.r, own.g, own.b})) : own;
     std::array<Interval, 4> out{};
     for (int c = 0; c < 3; ++c) {
-        Interval colour = constant(shot.light.colour[c] * scatter);
+        Interval colour = constant(lamp[c] * scatter);
         if (shot.light.cookie) colour = colour * sampleLinear(shot.cookieMap, c, Address::Clamp, point.u, point.v);
         out[c] = rounded(colour * intensity, 8.0);  // scale, mask and their interpolation
     }
