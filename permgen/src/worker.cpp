@@ -185,8 +185,8 @@ void wait_for_news(const std::vector<std::unique_ptr<Child>>& running, std::vect
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     constexpr decltype(left) longest = 60'000;
-    if (::poll(polled.data(), polled.size(), static_cast<int>(std::clamp<decltype(left)>(left, 0, longest))) < 0)
-        for (pollfd& entry : polled) entry.revents = 0;  // EINTR: look at the deadlines and poll again
+    // Interrupted by a signal, it leaves every revents 0: the deadlines are looked at, and it is asked again.
+    ::poll(polled.data(), polled.size(), static_cast<int>(std::clamp<decltype(left)>(left, 0, longest)));
 }
 
 }  // namespace

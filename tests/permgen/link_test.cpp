@@ -80,6 +80,16 @@ TEST(Link, APassWithOneStageIsNotChecked) {
     EXPECT_TRUE(build(effect).empty());
 }
 
+TEST(Build, WhatOnlyOneStageUsesIsLive) {
+    Lowered effect = test::small_effect();
+    effect.modules[1].hlsl = test::pixel_text("return bCookie ? tex2D(CookieSampler, uv.xy) : uv;\n");
+    Diagnostics diagnostics;
+    const auto program = build_program(effect, {}, diagnostics);
+    ASSERT_TRUE(program);
+    EXPECT_EQ(program->passes[0][0].live, (std::vector<std::size_t>{0})) << "the vertex shader's";
+    EXPECT_EQ(program->passes[1][0].live, (std::vector<std::size_t>{0, 1})) << "and the pixel shader's";
+}
+
 TEST(Build, LiveIsBothStagesTogetherInOrderOfResources) {
     Diagnostics diagnostics;
     const auto program = build_program(reading_effect(), {}, diagnostics);

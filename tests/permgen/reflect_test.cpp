@@ -19,12 +19,13 @@ Reflection reflection_of(Stage stage, const std::string& hlsl) {
 
 constexpr const char* block =
     "[[vk::binding(3, 1)]] cbuffer Globals { float4x4 m; float3x3 n; float4 list[5]; float2 a; float b; int c; "
-    "float last[3]; };\n";
+    "float last[3]; float2x4 r; };\n";
 
 TEST(Reflect, BlocksAreDescribedByTheirDecorations) {
     const Reflection reflection = reflection_of(
-        Stage::Pixel, std::string(block) +
-                          "float4 entry() : SV_Target0 { return m[0] + list[4] + a.x + b + c + n[0].x + last[2]; }\n");
+        Stage::Pixel,
+        std::string(block) +
+            "float4 entry() : SV_Target0 { return m[0] + list[4] + a.x + b + c + n[0].x + last[2] + r[1]; }\n");
     ASSERT_EQ(reflection.resources.size(), 1u);
     const ReflectedResource& globals = reflection.resources[0];
     EXPECT_EQ(globals.name, "Globals");
@@ -32,11 +33,12 @@ TEST(Reflect, BlocksAreDescribedByTheirDecorations) {
     EXPECT_EQ(globals.dimension, ImageDimension::None);
     EXPECT_EQ(globals.set, 1u);
     EXPECT_EQ(globals.binding, 3u);
-    // Each row of a matrix and each array element takes 16 bytes; a float2, float and int fill one more.
-    EXPECT_EQ(globals.size, 64u + 48u + 80u + 16u + 48u);
+    // HLSL keeps matrices by columns; each column (four of a float2x4) and each array element takes 16 bytes; a float2,
+    // float and int fill one more.
+    EXPECT_EQ(globals.size, 64u + 48u + 80u + 16u + 48u + 64u);
     const std::vector<ReflectedMember> expected = {
         {"Globals", "m", 0, 64},  {"Globals", "n", 64, 48}, {"Globals", "list", 112, 80}, {"Globals", "a", 192, 8},
-        {"Globals", "b", 200, 4}, {"Globals", "c", 204, 4}, {"Globals", "last", 208, 48}};
+        {"Globals", "b", 200, 4}, {"Globals", "c", 204, 4}, {"Globals", "last", 208, 48}, {"Globals", "r", 256, 64}};
     EXPECT_EQ(reflection.members, expected);
 }
 
