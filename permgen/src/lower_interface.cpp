@@ -81,6 +81,7 @@ bool resolve_system_value(const Flattening& f, InterfaceSlot& slot) {
         slot.conversion = Conversion::FaceSign;
         return true;
     }
+    if (is(slot, "PSIZE", "SV_POINTSIZE")) return slot.absent = true;
     if (slot.semantic.name == "SV_ISFRONTFACE") return becomes("SV_IsFrontFace", ScalarType::Bool, 1);
     return !system;
 }
@@ -222,7 +223,7 @@ void collect(LocationTable& table, Stage stage, Direction direction, const std::
     if (is_target(stage, direction)) return;
     const bool input = is_vertex_input(stage, direction);
     for (const InterfaceSlot& slot : slots) {
-        if (!slot.system_value.empty()) continue;
+        if (!slot.system_value.empty() || slot.absent) continue;
         const bool fixed = input ? fixed_location(vertex_inputs, slot.semantic).has_value()
                                  : fixed_location(varyings, slot.semantic).has_value();
         if (!fixed) (input ? table.vertex_inputs : table.varyings)[{slot.semantic.name, slot.semantic.index}] = 0;

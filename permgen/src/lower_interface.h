@@ -45,6 +45,7 @@ struct InterfaceSlot {
     ScalarType author_scalar = ScalarType::Float;
     std::string system_value;  ///< "SV_Position"; empty: has a location
     bool point_size = false;
+    bool absent = false;        ///< no stage hands it over (PSIZE to a pixel shader): reads as 0
     std::string interpolation;  ///< "centroid ", "nointerpolation ", ...
     Place place;
 

@@ -73,7 +73,7 @@ std::string converted_input(const InterfaceSlot& slot) {
 }
 
 void copy_in(LoweredText& text, const InterfaceSlot& slot) {
-    const std::string value = converted_input(slot);
+    const std::string value = slot.absent ? "0" : converted_input(slot);
     if (!slot.is_matrix_column) return add_line(text, "    " + slot.path + " = " + value + ';');
     for (unsigned row = 0; row < slot.author_components; ++row) {
         const std::string component = slot.author_components > 1 ? std::string(".") + component_names[row] : "";
@@ -101,7 +101,8 @@ void declare_structure(LoweredText& text, const std::string& name, Stage stage, 
     std::set<std::string> declared;
     for (const InterfaceSlot& slot : slots) {
         const std::string semantic = slot.canonical();
-        if (!declared.insert(semantic).second) continue;  // VPOS beside POSITION: one builtin, read twice
+        if (slot.absent || !declared.insert(semantic).second)
+            continue;  // VPOS beside POSITION: one builtin, read twice
         std::string line = "    ";
         if (slot.point_size)
             line += "[[vk::builtin(\"PointSize\")]] ";
@@ -148,7 +149,7 @@ std::vector<LoweredAttribute> attributes(Stage stage, Direction direction, const
         const bool known = std::any_of(result.begin(), result.end(), [&](const LoweredAttribute& other) {
             return other.semantic == attribute.semantic;
         });
-        if (known) continue;
+        if (known || slot.absent) continue;
         attribute.builtin = !slot.system_value.empty();
         if (!attribute.builtin) attribute.location = location(locations, stage, direction, slot);
         attribute.components = slot.components;
@@ -220,7 +221,7 @@ LoweredModule make_module(const ParsedEffect& effect, const Sources& sources, co
         add_line(text, constant_declaration(axis), axis.place);
         module.axes.push_back(std::move(axis));
     }
-    const bool has_inputs = !entry.inputs.empty();
+    const bool has_inputs = !module.inputs.empty();
     const bool has_outputs = !entry.outputs.empty();
     if (has_inputs) declare_structure(text, "permgen_Inputs", entry.stage, Direction::In, locations, entry.inputs);
     if (has_outputs) declare_structure(text, "permgen_Outputs", entry.stage, Direction::Out, locations, entry.outputs);

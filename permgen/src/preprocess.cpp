@@ -330,6 +330,7 @@ private:
                          "#pragma once or an #ifndef around it");
             throw PreprocessingAborted();
         }
+        spend(context_, steps_of_include, directive.at);
         std::vector<std::filesystem::path> folders{std::filesystem::path(path).parent_path()};
         folders.insert(folders.end(), options_.include_folders.begin(), options_.include_folders.end());
         std::string searched;

@@ -13,8 +13,9 @@ namespace permgen {
 /// magnitude below each of them.
 inline constexpr int max_include_depth = 64;
 inline constexpr std::size_t max_output_tokens = 1u << 20;
-inline constexpr std::size_t max_preprocessing_steps = 1u << 24;
-inline constexpr int max_argument_depth = 64;  ///< macro calls within arguments of macro calls
+inline constexpr std::size_t max_preprocessing_steps = 1u << 23;
+inline constexpr std::size_t steps_of_include = 1u << 12;  ///< looking for a file costs as much as many tokens
+inline constexpr int max_argument_depth = 64;              ///< macro calls within arguments of macro calls
 inline constexpr std::size_t max_reported_errors = 50;
 
 struct Preprocessed {
