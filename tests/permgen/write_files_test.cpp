@@ -110,6 +110,15 @@ TEST_F(WriteFiles, AFullDiskLeavesEverythingAsItWas) {
     EXPECT_EQ(listing(), Names{"one"});
 }
 
+/// The second move of the same file finds nothing to move: the only way to fail there that needs no race.
+TEST_F(WriteFiles, AMoveThatFailsUndoesThoseBefore) {
+    put("one", "old");
+    const std::string why = write_files({{at("two"), "2"}, {at("one"), "new"}, {at("one"), "newer"}});
+    EXPECT_NE(why.find("cannot replace '" + at("one")), std::string::npos) << why;
+    EXPECT_EQ(read(at("one")), "old");
+    EXPECT_EQ(listing(), Names{"one"});
+}
+
 TEST_F(WriteFiles, AFolderThatMayNotBeWrittenIsTold) {
     fs::create_directory(at("locked"));
     ::chmod(at("locked").c_str(), 0555);
