@@ -51,8 +51,8 @@ Result<void> resolve(Renderer::Impl& impl, const Plan& plan, const CompositeGrou
         if (!technique)
             return invalidArgument("slices.fx has no technique " + std::string(light.technique) +
                                    "; techniqueName() gives those that exist");
-        const auto pipeline =
-            pipelineFor(impl.gpu, impl.pipelines, *technique, target, sliceElements, impl.counters.pipelinesCreated);
+        const auto pipeline = pipelineFor(impl.gpu, impl.pipelines, effects::slices::effect, *technique,
+                                          impl.gpu.shaders, target, sliceElements, impl.counters.pipelinesCreated);
         if (!pipeline) return tl::unexpected(pipeline.error());
 
         Renderer::Impl::LightDraw draw{&light, *pipeline, {}};
@@ -60,7 +60,7 @@ Result<void> resolve(Renderer::Impl& impl, const Plan& plan, const CompositeGrou
             const LightSampler& sampler = lightSamplers[i];
             draw.images[i] = {sampler.name, textures[light.light].*sampler.view,
                               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-            if (draw.images[i].view || !permgen::is_live(technique->passes[0], sampler.name)) continue;
+            if (draw.images[i].view || !binds(*pipeline->layout, sampler.name)) continue;
             const auto texture =
                 neutralTexture(impl.gpu, impl.neutral, sampler.neutral, impl.counters.neutralTexturesCreated);
             if (!texture) return tl::unexpected(texture.error());
@@ -117,7 +117,7 @@ void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
     recordBarrier(commands, barrier);
 }
 
-/// Errors cannot occur once the images are resolved, but for a live resource that slices.fx gained.
+/// Errors cannot occur once the images are resolved, but for a resource that slices.fx gained.
 Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const Plan& plan,
                         const UploadedPlan& uploaded) {
     VkPipeline bound = VK_NULL_HANDLE;
@@ -127,8 +127,8 @@ Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const Pl
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound);
         }
         const FrameRange& constants = uploaded.constants[static_cast<std::size_t>(draw.light - plan.lights.data())];
-        const auto pushed = pushLive(impl.gpu, commands, *draw.pipeline.layout,
-                                     {constants.buffer, constants.offset, sizeof(SliceConstants)}, draw.images);
+        const auto pushed = pushResources(impl.gpu, commands, *draw.pipeline.layout,
+                                          {constants.buffer, constants.offset, sizeof(SliceConstants)}, draw.images);
         if (!pushed) return tl::unexpected(pushed.error());
         vkCmdDrawIndexed(commands, draw.light->indexCount, 1, draw.light->firstIndex, 0, 0);
         ++impl.counters.draws;

@@ -79,9 +79,9 @@ Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& fram
     const permgen::Technique* technique =
         permgen::find_technique(effects::composite::effect, techniqueFor(routed, targets.blur));
     RendererCounters& counters = impl_->counters;
-    const auto pipeline = pipelineFor(impl_->gpu, impl_->pipelines, *technique,
-                                      {targets.colourFormat, VK_FORMAT_UNDEFINED, VK_COMPARE_OP_ALWAYS}, screenElements,
-                                      counters.pipelinesCreated);
+    const auto pipeline = pipelineFor(
+        impl_->gpu, impl_->pipelines, effects::composite::effect, *technique, Shaders::Frozen,
+        {targets.colourFormat, VK_FORMAT_UNDEFINED, VK_COMPARE_OP_ALWAYS}, screenElements, counters.pipelinesCreated);
     if (!pipeline) return tl::unexpected(pipeline.error());
     const auto constants = placeValue(data, constantsFor(plan, plan.groups[group], targets), counters);
     if (!constants) return tl::unexpected(constants.error());
@@ -95,8 +95,8 @@ Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& fram
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
     const FrameRange& triangle = data.plan->screenTriangle;
     bindVertices(commands, triangle.buffer, triangle.offset, sizeof(glm::vec2));
-    const auto pushed = pushLive(impl_->gpu, commands, *pipeline->layout,
-                                 {constants->buffer, constants->offset, sizeof(CompositeConstants)}, images);
+    const auto pushed = pushResources(impl_->gpu, commands, *pipeline->layout,
+                                      {constants->buffer, constants->offset, sizeof(CompositeConstants)}, images);
     if (pushed) {
         vkCmdDraw(commands, 3, 1, 0, 0);
         ++counters.draws;

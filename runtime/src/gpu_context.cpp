@@ -69,6 +69,7 @@ Result<Gpu> inspect(const DeviceContext& context) {
     gpu.physicalDevice = context.physicalDevice;
     gpu.device = context.device;
     gpu.pipelineCache = context.pipelineCache;
+    gpu.shaders = context.shaders;
     vkGetPhysicalDeviceMemoryProperties(context.physicalDevice, &gpu.memory);
     gpu.uniformAlignment = properties.limits.minUniformBufferOffsetAlignment;
     gpu.uniformRange = properties.limits.maxUniformBufferRange;

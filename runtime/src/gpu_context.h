@@ -15,6 +15,7 @@ struct Gpu {
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;
+    Shaders shaders = Shaders::Frozen;  ///< of the slices
     VkPhysicalDeviceMemoryProperties memory{};
     VkDeviceSize uniformAlignment = 256;  ///< of uniform buffer offsets, bytes
     VkDeviceSize uniformRange = 16384;    ///< the longest uniform block, bytes

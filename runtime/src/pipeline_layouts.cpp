@@ -1,5 +1,7 @@
 #include "pipeline_layouts.h"
 
+#include <algorithm>
+
 #include "samplers.h"
 
 namespace tyndall {
@@ -10,11 +12,11 @@ VkDescriptorType descriptorType(permgen::ResourceKind kind) {
                                                         : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 }
 
-Result<void> checkLive(const permgen::Pass& pass, std::string_view name) {
-    if (pass.live.size() > maxLiveResources)
+Result<void> checkBound(std::span<const permgen::Resource* const> bound, std::string_view name) {
+    if (bound.size() > maxBoundResources)
         return invalidArgument("the technique " + std::string(name) + " binds more than " +
-                               std::to_string(maxLiveResources) + " resources; use fewer");
-    for (const permgen::Resource* resource : pass.live)
+                               std::to_string(maxBoundResources) + " resources; use fewer");
+    for (const permgen::Resource* resource : bound)
         if (resource->set != 0)
             return invalidArgument("the resource " + std::string(resource->name) + " of " + std::string(name) +
                                    " is in descriptor set " + std::to_string(resource->set) +
@@ -23,9 +25,9 @@ Result<void> checkLive(const permgen::Pass& pass, std::string_view name) {
 }
 
 Result<void> createSamplers(const Gpu& gpu, PassLayout& layout) {
-    layout.samplers.assign(layout.pass->live.size(), VK_NULL_HANDLE);
+    layout.samplers.assign(layout.bound.size(), VK_NULL_HANDLE);
     for (std::size_t i = 0; i < layout.samplers.size(); ++i) {
-        const permgen::Resource& resource = *layout.pass->live[i];
+        const permgen::Resource& resource = *layout.bound[i];
         if (resource.kind != permgen::ResourceKind::CombinedImageSampler) continue;
         const auto info = samplerInfo(resource.sampler_states);
         if (!info) return invalidArgument(std::string(resource.name) + ": " + info.error().message);
@@ -38,7 +40,7 @@ Result<void> createSamplers(const Gpu& gpu, PassLayout& layout) {
 
 Result<void> createLayouts(const Gpu& gpu, PassLayout& layout, std::string_view name) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
-    for (const permgen::Resource* resource : layout.pass->live) {
+    for (const permgen::Resource* resource : layout.bound) {
         VkDescriptorSetLayoutBinding binding{};
         binding.binding = resource->binding;
         binding.descriptorType = descriptorType(resource->kind);
@@ -67,10 +69,18 @@ Result<void> createLayouts(const Gpu& gpu, PassLayout& layout, std::string_view 
 
 }  // namespace
 
-Result<PassLayout> createLayout(const Gpu& gpu, const permgen::Pass& pass, std::string_view name) {
-    if (auto checked = checkLive(pass, name); !checked) return tl::unexpected(checked.error());
+std::vector<const permgen::Resource*> boundResources(const permgen::Effect& effect, const permgen::Pass& pass,
+                                                     Shaders shaders) {
+    if (shaders == Shaders::Frozen) return {pass.live.begin(), pass.live.end()};
+    std::vector<const permgen::Resource*> all;
+    for (const permgen::Resource& resource : effect.resources) all.push_back(&resource);
+    return all;
+}
+
+Result<PassLayout> createLayout(const Gpu& gpu, std::vector<const permgen::Resource*> bound, std::string_view name) {
+    if (auto checked = checkBound(bound, name); !checked) return tl::unexpected(checked.error());
     PassLayout layout;
-    layout.pass = &pass;
+    layout.bound = std::move(bound);
     auto made = createSamplers(gpu, layout);
     if (made) made = createLayouts(gpu, layout, name);
     if (!made) {
@@ -87,12 +97,17 @@ void destroyLayout(const Gpu& gpu, PassLayout& layout) {
     layout = {};
 }
 
-Result<std::uint32_t> pushLive(const Gpu& gpu, VkCommandBuffer commands, const PassLayout& layout,
-                               const VkDescriptorBufferInfo& uniforms, std::span<const NamedImage> images) {
-    std::array<VkWriteDescriptorSet, maxLiveResources> writes{};
-    std::array<VkDescriptorImageInfo, maxLiveResources> infos{};
+bool binds(const PassLayout& layout, std::string_view resource) {
+    return std::any_of(layout.bound.begin(), layout.bound.end(),
+                       [&](const permgen::Resource* bound) { return bound->name == resource; });
+}
+
+Result<std::uint32_t> pushResources(const Gpu& gpu, VkCommandBuffer commands, const PassLayout& layout,
+                                    const VkDescriptorBufferInfo& uniforms, std::span<const NamedImage> images) {
+    std::array<VkWriteDescriptorSet, maxBoundResources> writes{};
+    std::array<VkDescriptorImageInfo, maxBoundResources> infos{};
     std::uint32_t count = 0;
-    for (const permgen::Resource* resource : layout.pass->live) {
+    for (const permgen::Resource* resource : layout.bound) {
         VkWriteDescriptorSet& write = writes[count];
         write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
         write.dstBinding = resource->binding;

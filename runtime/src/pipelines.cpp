@@ -42,7 +42,7 @@ Result<std::vector<VkVertexInputAttributeDescription>> vertexAttributes(const pe
     return attributes;
 }
 
-Result<VkPipeline> createPipeline(const Gpu& gpu, const permgen::Pass& pass, const PassLayout& layout,
+Result<VkPipeline> createPipeline(const Gpu& gpu, const permgen::Pass& pass, Shaders shaders, const PassLayout& layout,
                                   const PipelineTarget& target, std::span<const VertexElement> elements) {
     const auto states = passStates(pass.states);
     if (!states) return tl::unexpected(states.error());
@@ -52,7 +52,7 @@ Result<VkPipeline> createPipeline(const Gpu& gpu, const permgen::Pass& pass, con
     const auto attributes = vertexAttributes(*pass.vertex.module, elements);
     if (!attributes) return tl::unexpected(attributes.error());
     ShaderStages stages(gpu);
-    if (auto loaded = stages.load(pass); !loaded) return tl::unexpected(loaded.error());
+    if (auto loaded = stages.load(pass, shaders); !loaded) return tl::unexpected(loaded.error());
 
     const VkVertexInputBindingDescription binding{0, 0, VK_VERTEX_INPUT_RATE_VERTEX};
     VkPipelineVertexInputStateCreateInfo vertexInput{};
@@ -127,9 +127,9 @@ Result<VkPipeline> createPipeline(const Gpu& gpu, const permgen::Pass& pass, con
 
 }  // namespace
 
-Result<Pipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Technique& technique,
-                             const PipelineTarget& target, std::span<const VertexElement> elements,
-                             std::uint64_t& created) {
+Result<Pipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
+                             const permgen::Technique& technique, Shaders shaders, const PipelineTarget& target,
+                             std::span<const VertexElement> elements, std::uint64_t& created) {
     if (technique.passes.size() != 1)
         return invalidArgument("the technique " + std::string(technique.name) + " has " +
                                std::to_string(technique.passes.size()) + " passes; the renderer draws one");
@@ -138,11 +138,11 @@ Result<Pipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen
 
     auto layout = store.layouts.find(&pass);
     if (layout == store.layouts.end()) {
-        auto made = createLayout(gpu, pass, technique.name);
+        auto made = createLayout(gpu, boundResources(effect, pass, shaders), technique.name);
         if (!made) return tl::unexpected(made.error());
         layout = store.layouts.emplace(&pass, std::move(*made)).first;
     }
-    auto handle = createPipeline(gpu, pass, layout->second, target, elements);
+    auto handle = createPipeline(gpu, pass, shaders, layout->second, target, elements);
     if (!handle) {
         Error error = handle.error();
         error.message = std::string(technique.name) + ": " + error.message;

@@ -34,13 +34,14 @@ struct PipelineStore {
     std::map<std::pair<const permgen::Pass*, PipelineTarget>, Pipeline> pipelines;
 };
 
-/// The pipeline of `technique`'s only pass. Vertices are one interleaved stream of `elements` whose stride
+/// The pipeline of the only pass of `technique`, which is one of `effect`'s. A store sees one kind of `shaders`
+/// for each effect. Vertices are one interleaved stream of `elements` whose stride
 /// is dynamic state, as are viewport and scissor. `created` grows by one where it had to be made.
 /// Errors: InvalidArgument where a state or a vertex semantic is unknown, UnsupportedDevice where the
 /// device cannot draw to a format, Vulkan.
-Result<Pipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Technique& technique,
-                             const PipelineTarget& target, std::span<const VertexElement> elements,
-                             std::uint64_t& created);
+Result<Pipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
+                             const permgen::Technique& technique, Shaders shaders, const PipelineTarget& target,
+                             std::span<const VertexElement> elements, std::uint64_t& created);
 
 void destroyPipelines(const Gpu& gpu, PipelineStore& store);
 

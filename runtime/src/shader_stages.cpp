@@ -7,14 +7,17 @@ ShaderStages::~ShaderStages() {
         vkDestroyShaderModule(gpu_.device, stage.module, nullptr);
 }
 
-Result<void> ShaderStages::load(const permgen::Pass& pass) {
-    if (auto added = add(pass.vertex, VK_SHADER_STAGE_VERTEX_BIT); !added) return added;
+Result<void> ShaderStages::load(const permgen::Pass& pass, Shaders shaders) {
+    if (auto added = add(pass.vertex, shaders, VK_SHADER_STAGE_VERTEX_BIT); !added) return added;
     if (!pass.pixel.module) return {};
-    return add(pass.pixel, VK_SHADER_STAGE_FRAGMENT_BIT);
+    return add(pass.pixel, shaders, VK_SHADER_STAGE_FRAGMENT_BIT);
 }
 
-Result<void> ShaderStages::add(const permgen::Shader& shader, VkShaderStageFlagBits stage) {
-    const bool frozen = !shader.frozen.empty();
+Result<void> ShaderStages::add(const permgen::Shader& shader, Shaders shaders, VkShaderStageFlagBits stage) {
+    const bool frozen = shaders == Shaders::Frozen;
+    if (frozen && shader.frozen.empty())
+        return invalidArgument(std::string(shader.module->name) +
+                               " has no frozen module; compile its effect with permgen's --freeze");
     const std::span<const std::uint32_t> code = frozen ? shader.frozen : shader.module->code;
     VkShaderModuleCreateInfo moduleInfo{};
     moduleInfo.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;

@@ -18,10 +18,8 @@ public:
     ShaderStages& operator=(const ShaderStages&) = delete;
     ~ShaderStages();
 
-    /// Once for each object. The frozen module is taken where the table has one: it names live resources
-    /// only, as the layout does. Else the module's constants are specialized, which is right for passes in
-    /// which everything is live: dead resources count as used before specialization.
-    Result<void> load(const permgen::Pass& pass);
+    /// Once for each object. Errors: InvalidArgument where frozen modules are asked for and permgen made none.
+    Result<void> load(const permgen::Pass& pass, Shaders shaders);
 
     std::uint32_t count() const { return count_; }
     const VkPipelineShaderStageCreateInfo* data() const { return stages_.data(); }
@@ -34,7 +32,7 @@ private:
         std::vector<std::uint32_t> values;
     };
 
-    Result<void> add(const permgen::Shader& shader, VkShaderStageFlagBits stage);
+    Result<void> add(const permgen::Shader& shader, Shaders shaders, VkShaderStageFlagBits stage);
 
     const Gpu& gpu_;
     std::uint32_t count_ = 0;

@@ -48,8 +48,8 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
     RendererCounters& counters = impl_->counters;
     const permgen::Technique& technique = effects::shadow_map::effect.techniques[0];
     const auto pipeline =
-        pipelineFor(impl_->gpu, impl_->pipelines, technique, {VK_FORMAT_UNDEFINED, format, VK_COMPARE_OP_GREATER},
-                    occluderElements, counters.pipelinesCreated);
+        pipelineFor(impl_->gpu, impl_->pipelines, effects::shadow_map::effect, technique, Shaders::Frozen,
+                    {VK_FORMAT_UNDEFINED, format, VK_COMPARE_OP_GREATER}, occluderElements, counters.pipelinesCreated);
     if (!pipeline) return tl::unexpected(pipeline.error());
 
     VkRenderingAttachmentInfo depth{};
@@ -76,8 +76,8 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
         const glm::mat4 clipFromMesh(clipFromWorld * occluder.worldFromMesh);
         const auto constants = placeValue(**data, clipFromMesh, counters);
         const auto pushed = constants.and_then([&](const FrameRange& range) {
-            return pushLive(impl_->gpu, commands, *pipeline->layout, {range.buffer, range.offset, sizeof clipFromMesh},
-                            {});
+            return pushResources(impl_->gpu, commands, *pipeline->layout,
+                                 {range.buffer, range.offset, sizeof clipFromMesh}, {});
         });
         if (!pushed) {
             drawn = tl::unexpected(pushed.error());

@@ -42,10 +42,10 @@ Texture drawTriangle(const Light& light) {
     info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     const headless::Image map = must(headless::Image::create(g.device, info));
     FrameData frame;
-    must(g.renderer.upload(frame, Plan{}));
+    must(g.frozen.upload(frame, Plan{}));
     must(headless::submitAndWait(g.device, [&](VkCommandBuffer commands) -> Result<void> {
         headless::transition(commands, map, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-        return g.renderer.recordShadowMap(commands, frame, light, std::span(&occluder, 1), map.view(), map.format(),
+        return g.frozen.recordShadowMap(commands, frame, light, std::span(&occluder, 1), map.view(), map.format(),
                                           kSize);
     }));
     return downloadDepth(map, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);

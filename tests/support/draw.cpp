@@ -128,6 +128,7 @@ PlanOptions planOptionsOf(const Shot& shot, const DrawOptions& options) {
 
 Drawing draw(const Shot& shot, const DrawOptions& options) {
     Gpu& g = gpu();
+    Renderer& renderer = options.shaders == Shaders::Frozen ? g.frozen : g.specialized;
     Drawing drawing;
     drawing.plan = must(plan(std::span(&shot.light, 1), viewOf(shot), planOptionsOf(shot, options)));
 
@@ -152,20 +153,20 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
     targets.colourFormat = colour.format();
     targets.blur = options.blur;
 
-    const RendererCounters before = g.renderer.counters();
+    const RendererCounters before = renderer.counters();
     FrameData frame;
-    must(g.renderer.upload(frame, drawing.plan));
+    must(renderer.upload(frame, drawing.plan));
     // Nothing to draw leaves no group: the sum is then black by definition.
     const bool empty = drawing.plan.groups.empty();
     must(headless::submitAndWait(g.device, [&](VkCommandBuffer commands) -> Result<void> {
         fillBackground(commands, colour);
         if (empty) return {};
         const std::span views(&textures.views, 1);
-        Result<void> done = g.renderer.recordAccumulation(commands, frame, drawing.plan, 0, views, targets);
-        if (done && options.composite) done = g.renderer.recordComposite(commands, frame, drawing.plan, 0, targets);
+        Result<void> done = renderer.recordAccumulation(commands, frame, drawing.plan, 0, views, targets);
+        if (done && options.composite) done = renderer.recordComposite(commands, frame, drawing.plan, 0, targets);
         return done;
     }));
-    drawing.counters = difference(g.renderer.counters(), before);
+    drawing.counters = difference(renderer.counters(), before);
     drawing.picture = download(colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, Accumulation::Rgba32f);
     drawing.sum = empty ? Picture{shot.width, shot.height, decltype(Picture::pixels)(drawing.picture.pixels.size())}
                         : download(sum, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, options.accumulation);

@@ -18,6 +18,7 @@ struct DrawOptions {
     Accumulation accumulation = Accumulation::Rgba32f;
     double range = 1.0;                         ///< PlanOptions::range
     std::optional<std::string_view> technique;  ///< PlanOptions::technique
+    Shaders shaders = Shaders::Frozen;          ///< DeviceContext::shaders
     bool composite = false;                     ///< into a picture of kBackground
     bool blur = false;                          ///< when compositing
 };

@@ -27,8 +27,11 @@ Gpu& gpu() {
         if (!device.isLlvmpipe())
             throw std::runtime_error("these tests hold pictures against lavapipe, and this device is " +
                                      std::string(device.name()) + "; install Mesa's Vulkan drivers");
-        Renderer renderer = must(Renderer::create({device.physicalDevice(), device.device(), VK_NULL_HANDLE}));
-        theGpu = std::make_unique<Gpu>(Gpu{std::move(device), std::move(renderer)});
+        DeviceContext context{device.physicalDevice(), device.device(), VK_NULL_HANDLE, Shaders::Frozen};
+        Renderer frozen = must(Renderer::create(context));
+        context.shaders = Shaders::Specialized;
+        Renderer specialized = must(Renderer::create(context));
+        theGpu = std::make_unique<Gpu>(Gpu{std::move(device), std::move(frozen), std::move(specialized)});
     }
     return *theGpu;
 }

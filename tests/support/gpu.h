@@ -1,5 +1,5 @@
 // The device that every picture of the tests is drawn on: Mesa's lavapipe with validation and
-// synchronization validation, and one Renderer on it.
+// synchronization validation, and the Renderers on it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ namespace tyndall::test {
 
 struct Gpu {
     headless::Device device;
-    Renderer renderer;  // after the device, so that it goes first
+    Renderer frozen;  // after the device, so that they go first
+    Renderer specialized;
 };
 
 /// The process's one Gpu, made on first use. It ends with the test program.

@@ -16,10 +16,19 @@
 
 namespace tyndall {
 
+/// What the slices' pipelines are made of. Both draw the same picture, bit for bit.
+enum class Shaders {
+    Frozen,       ///< the technique's own module without dead code: only what it needs is bound
+    Specialized,  ///< the one module that all techniques share, with its specialization constants set. What
+                  ///< it declares must be bound, needed or not (Vulkan counts a resource as used before
+                  ///< specialization): what the technique does not need is bound to neutral textures
+};
+
 struct DeviceContext {
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;  ///< may be null
+    Shaders shaders = Shaders::Frozen;
 };
 
 VkFormat accumulationFormat(Accumulation accumulation);
