@@ -22,13 +22,13 @@ struct Frame {
         PlanOptions options;
         options.accumulation = Accumulation::Rgba32f;
         plan = must(tyndall::plan(lights, eye(stage), options));
-        must(gpu().renderer.upload(data, plan));
+        must(gpu().frozen.upload(data, plan));
     }
 
     Result<void> record() {
         Result<void> recorded;
         run([&](VkCommandBuffer commands) -> Result<void> {
-            recorded = gpu().renderer.record(commands, data, plan, textures, targets);
+            recorded = gpu().frozen.record(commands, data, plan, textures, targets);
             return {};
         });
         return recorded;
@@ -64,11 +64,10 @@ TEST_F(RecordArguments, AnotherPlanWasUploaded) {
 TEST_F(RecordArguments, GroupThatDoesNotExist) {
     Frame frame;
     run([&](VkCommandBuffer commands) -> Result<void> {
-        expectError(gpu().renderer.recordComposite(commands, frame.data, frame.plan, 1, frame.targets),
+        expectError(gpu().frozen.recordComposite(commands, frame.data, frame.plan, 1, frame.targets),
                     ErrorCode::InvalidArgument, "group 1");
-        expectError(
-            gpu().renderer.recordAccumulation(commands, frame.data, frame.plan, 7, frame.textures, frame.targets),
-            ErrorCode::InvalidArgument, "group 7");
+        expectError(gpu().frozen.recordAccumulation(commands, frame.data, frame.plan, 7, frame.textures, frame.targets),
+                    ErrorCode::InvalidArgument, "group 7");
         return {};
     });
 }
@@ -102,7 +101,7 @@ TEST_F(RecordArguments, IndicesBeyondThePlan) {
     frame.plan.lights[0].indexCount += 3;
     expectError(frame.record(), ErrorCode::InvalidArgument, "indices");
     frame.plan.indices[0] = static_cast<std::uint32_t>(frame.plan.vertices.size());
-    expectError(gpu().renderer.upload(frame.data, frame.plan), ErrorCode::InvalidArgument, "beyond its vertices");
+    expectError(gpu().frozen.upload(frame.data, frame.plan), ErrorCode::InvalidArgument, "beyond its vertices");
 }
 
 TEST_F(RecordArguments, TargetsWithoutPixelsOrImages) {
@@ -136,8 +135,8 @@ TEST_F(RecordArguments, ShadowMapsOfImpossibleLightsOrMeshes) {
     const auto attempt = [&](const Light& light, const Occluder& occluder, VkImageView view, std::uint32_t size) {
         Result<void> recorded;
         run([&](VkCommandBuffer commands) -> Result<void> {
-            recorded = gpu().renderer.recordShadowMap(commands, frame.data, light, std::span(&occluder, 1), view,
-                                                      VK_FORMAT_D32_SFLOAT, size);
+            recorded = gpu().frozen.recordShadowMap(commands, frame.data, light, std::span(&occluder, 1), view,
+                                                    VK_FORMAT_D32_SFLOAT, size);
             return {};
         });
         return recorded;

@@ -19,8 +19,8 @@ Plan emptyPlan(Accumulation accumulation, double scale, glm::vec3 tint) {
 
 void composite(const Stage& stage, const Plan& plan, const ShaftTargets& targets) {
     FrameData frame;
-    must(gpu().renderer.upload(frame, plan));
-    run([&](VkCommandBuffer commands) { return gpu().renderer.recordComposite(commands, frame, plan, 0, targets); });
+    must(gpu().frozen.upload(frame, plan));
+    run([&](VkCommandBuffer commands) { return gpu().frozen.recordComposite(commands, frame, plan, 0, targets); });
     ASSERT_EQ(stage.extent.width, targets.extent.width);
 }
 

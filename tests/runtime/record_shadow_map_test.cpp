@@ -58,7 +58,7 @@ std::vector<float> shadowMap(const Light& light, std::vector<Occluder> occluders
     FrameData frame;
     run([&](VkCommandBuffer commands) {
         headless::transition(commands, map, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-        auto recorded = gpu().renderer.recordShadowMap(commands, frame, light, occluders, map.view(), map.format(), 16);
+        auto recorded = gpu().frozen.recordShadowMap(commands, frame, light, occluders, map.view(), map.format(), 16);
         headless::transition(commands, map, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         return recorded;

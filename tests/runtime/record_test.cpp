@@ -47,9 +47,9 @@ Plan planFor(std::span<const Light> lights, const Stage& stage, Accumulation acc
 std::vector<Rgba> accumulated(Stage& stage, const Plan& plan, const std::vector<LightTextures>& textures,
                               const ShaftTargets& targets) {
     FrameData frame;
-    must(gpu().renderer.upload(frame, plan));
+    must(gpu().frozen.upload(frame, plan));
     run([&](VkCommandBuffer commands) {
-        return gpu().renderer.recordAccumulation(commands, frame, plan, 0, textures, targets);
+        return gpu().frozen.recordAccumulation(commands, frame, plan, 0, textures, targets);
     });
     return texels<Rgba>(stage.accumulation, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
@@ -83,9 +83,9 @@ TEST_P(RecordEach, DrawsFiniteLightIntoThePicture) {
     const Slides slides;
     const LightTextures textures = slides.views();
     FrameData frame;
-    must(gpu().renderer.upload(frame, plan));
+    must(gpu().frozen.upload(frame, plan));
     run([&](VkCommandBuffer commands) {
-        return gpu().renderer.record(commands, frame, plan, std::span(&textures, 1), stage.targets());
+        return gpu().frozen.record(commands, frame, plan, std::span(&textures, 1), stage.targets());
     });
     const std::vector<Rgba> picture = stage.picture();
     EXPECT_TRUE(allFinite(picture));
@@ -113,9 +113,9 @@ TEST_F(Record, PushesTheLiveResourcesAndNothingElse) {
     for (const Permutation& permutation : permutations) {
         const Light light = lampWith(permutation);
         const Plan plan = planFor(std::span(&light, 1), stage);
-        const RendererCounters before = gpu().renderer.counters();
+        const RendererCounters before = gpu().frozen.counters();
         accumulated(stage, plan, {slides.views()});
-        const RendererCounters& after = gpu().renderer.counters();
+        const RendererCounters& after = gpu().frozen.counters();
         EXPECT_EQ(after.descriptorsPushed - before.descriptorsPushed,
                   1u + permutation.noise + permutation.shadow + permutation.cookie)
             << plan.lights[0].technique;
@@ -128,9 +128,9 @@ TEST_F(Record, NeedsNoTextureThatTheTechniqueDoesNotRead) {
     Stage stage;
     const Light light = lamp();
     const Plan plan = planFor(std::span(&light, 1), stage);
-    const std::uint64_t before = gpu().renderer.counters().neutralTexturesCreated;
+    const std::uint64_t before = gpu().frozen.counters().neutralTexturesCreated;
     EXPECT_GT(lit(accumulated(stage, plan, {LightTextures{}})), 0u);
-    EXPECT_EQ(gpu().renderer.counters().neutralTexturesCreated, before);
+    EXPECT_EQ(gpu().frozen.counters().neutralTexturesCreated, before);
 }
 
 TEST_F(Record, StandsInForMissingTexturesOfAForcedTechnique) {
@@ -150,7 +150,7 @@ TEST_F(Record, StandsInForMissingTexturesOfAForcedTechnique) {
     options.technique = techniqueName(true, true, true);
     const Plan withNoise = must(plan(std::span(&light, 1), eye(stage), options));
     EXPECT_GT(lit(accumulated(stage, withNoise, {LightTextures{}})), 0u);
-    EXPECT_EQ(gpu().renderer.counters().neutralTexturesCreated, 2u);  // white and empty, once for the process
+    EXPECT_EQ(gpu().frozen.counters().neutralTexturesCreated, 2u);  // white and empty, once for the process
 }
 
 TEST_F(Record, MakesAPipelineOnce) {
@@ -159,15 +159,15 @@ TEST_F(Record, MakesAPipelineOnce) {
     const Light light = lamp();
     const Plan plan = planFor(std::span(&light, 1), stage);
     ShaftTargets targets = stage.targets();
-    const std::uint64_t before = gpu().renderer.counters().pipelinesCreated;
+    const std::uint64_t before = gpu().frozen.counters().pipelinesCreated;
     targets.depthCompare = VK_COMPARE_OP_NOT_EQUAL;
     accumulated(stage, plan, {LightTextures{}}, targets);
-    EXPECT_EQ(gpu().renderer.counters().pipelinesCreated, before + 1);
+    EXPECT_EQ(gpu().frozen.counters().pipelinesCreated, before + 1);
     accumulated(stage, plan, {LightTextures{}}, targets);
-    EXPECT_EQ(gpu().renderer.counters().pipelinesCreated, before + 1);
+    EXPECT_EQ(gpu().frozen.counters().pipelinesCreated, before + 1);
     targets.depthCompare = VK_COMPARE_OP_EQUAL;
     accumulated(stage, plan, {LightTextures{}}, targets);
-    EXPECT_EQ(gpu().renderer.counters().pipelinesCreated, before + 2);
+    EXPECT_EQ(gpu().frozen.counters().pipelinesCreated, before + 2);
 }
 
 TEST_F(Record, AddsOneLightToTheOther) {
@@ -190,9 +190,9 @@ TEST_F(Record, RoutedSumEqualsTheFloatOne) {
             planFor(std::span(&light, 1), *stage, stage == &exact ? Accumulation::Rgba32f : Accumulation::Rgba8Routed);
         const LightTextures none;
         FrameData frame;
-        must(gpu().renderer.upload(frame, plan));
+        must(gpu().frozen.upload(frame, plan));
         run([&](VkCommandBuffer commands) {
-            return gpu().renderer.record(commands, frame, plan, std::span(&none, 1), stage->targets());
+            return gpu().frozen.record(commands, frame, plan, std::span(&none, 1), stage->targets());
         });
     }
     const std::vector<Rgba> a = exact.picture(), b = routed.picture();
@@ -258,10 +258,10 @@ TEST_F(Record, GivesEveryColourItsOwnRoutedGroup) {
     ASSERT_EQ(plan.groups.size(), 2u);
     const std::array<LightTextures, 2> textures{};
     FrameData frame;
-    must(gpu().renderer.upload(frame, plan));
+    must(gpu().frozen.upload(frame, plan));
     ShaftTargets targets = stage.targets();
     targets.blur = true;
-    run([&](VkCommandBuffer commands) { return gpu().renderer.record(commands, frame, plan, textures, targets); });
+    run([&](VkCommandBuffer commands) { return gpu().frozen.record(commands, frame, plan, textures, targets); });
     std::size_t coloured = 0;
     for (const Rgba& pixel : stage.picture()) {
         EXPECT_NEAR(pixel[1], 0.5f * pixel[2], 1e-6f);
@@ -276,8 +276,8 @@ TEST_F(Record, LeavesThePictureAloneWhereThereIsNothingToDraw) {
     const Plan plan = planFor({}, stage);
     ASSERT_TRUE(plan.groups.empty());
     FrameData frame;
-    must(gpu().renderer.upload(frame, plan));
-    run([&](VkCommandBuffer commands) { return gpu().renderer.record(commands, frame, plan, {}, stage.targets()); });
+    must(gpu().frozen.upload(frame, plan));
+    run([&](VkCommandBuffer commands) { return gpu().frozen.record(commands, frame, plan, {}, stage.targets()); });
     for (const Rgba& pixel : stage.picture()) EXPECT_EQ(pixel, (Rgba{0.25f, 0.5f, 0.75f, 1.0f}));
     // Readable in the layout that was promised, or validation speaks up.
     texels<Rgba>(stage.accumulation, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
@@ -288,24 +288,24 @@ TEST_F(Record, FrameDataGrowsAndIsReused) {
     const std::array lights{lamp(), lamp(), lamp()};
     FrameData frame;
     EXPECT_EQ(frame.memory(), 0u);
-    must(gpu().renderer.upload(frame, planFor(std::span(lights).first(1), stage)));
+    must(gpu().frozen.upload(frame, planFor(std::span(lights).first(1), stage)));
     const VkDeviceSize small = frame.memory();
     EXPECT_GT(small, 0u);
     PlanOptions options;
     options.slices = 2000;
     const Plan large = must(plan(lights, eye(stage), options));
-    const std::uint64_t before = gpu().renderer.counters().bytesUploaded;
-    must(gpu().renderer.upload(frame, large));
+    const std::uint64_t before = gpu().frozen.counters().bytesUploaded;
+    must(gpu().frozen.upload(frame, large));
     const std::size_t bytes = large.vertices.size() * sizeof(SliceVertex) + large.indices.size() * 4;
-    EXPECT_GE(gpu().renderer.counters().bytesUploaded - before, bytes + 3 * sizeof(SliceConstants));
+    EXPECT_GE(gpu().frozen.counters().bytesUploaded - before, bytes + 3 * sizeof(SliceConstants));
     EXPECT_GE(frame.memory(), bytes);
     const VkDeviceSize grown = frame.memory();
-    must(gpu().renderer.upload(frame, planFor(std::span(lights).first(1), stage)));
+    must(gpu().frozen.upload(frame, planFor(std::span(lights).first(1), stage)));
     EXPECT_EQ(frame.memory(), grown);
     FrameData moved = std::move(frame);
     EXPECT_EQ(moved.memory(), grown);
     EXPECT_EQ(frame.memory(), 0u);
-    EXPECT_FALSE(gpu().renderer.upload(frame, large));
+    EXPECT_FALSE(gpu().frozen.upload(frame, large));
 }
 
 }  // namespace
