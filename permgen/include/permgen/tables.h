@@ -66,7 +66,7 @@ struct Attribute {
 
 /// One entry point, compiled once.
 struct Module {
-    std::string_view name;   ///< unique in the effect; also the .spv file's stem
+    std::string_view name;   ///< unique in the effect; its file is EFFECT.NAME.spv
     std::string_view entry;  ///< entry point's name in the SPIR-V
     Stage stage;
     std::span<const std::uint32_t> code;       ///< SPIR-V words
