@@ -170,6 +170,18 @@ Diagnostics read_compile_log(const std::string& log, const LoweredModule& module
             complaints.push_back(std::move(*complaint));
     }
 
+    // A function that does not compile makes the generated wrapper, which calls it, fail as well: that is
+    // no news where the author's own lines were named.
+    const auto is_authors = [&](const Complaint& complaint) {
+        const std::size_t index = static_cast<std::size_t>(complaint.line) - 1;
+        return complaint.line > 0 && index < module.line_map.size() && !module.line_map[index].file.empty();
+    };
+    const auto is_authors_error = [&](const Complaint& complaint) {
+        return is_authors(complaint) && complaint.severity == Severity::Error;
+    };
+    if (std::any_of(complaints.begin(), complaints.end(), is_authors_error))
+        std::erase_if(complaints, [&](const Complaint& complaint) { return !is_authors(complaint); });
+
     Diagnostics diagnostics;
     std::vector<std::pair<int, Severity>> said;
     for (const Complaint& complaint : complaints) {

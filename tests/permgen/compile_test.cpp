@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "build_program.h"
+#include "compile_log.h"
 #include "compile_modules.h"
 #include "small_effect.h"
 
@@ -117,6 +118,18 @@ TEST(Compile, AMistakeInGeneratedTextIsPlacedAtTheEntryPoint) {
     compile(effect, diagnostics);
     ASSERT_EQ(diagnostics.size(), 1u) << all_of(diagnostics);
     EXPECT_EQ(diagnostics[0].place.line, effect.modules[pixel].place.line);
+}
+
+TEST(Compile, AMistakeIsNotSaidAgainOfTheGeneratedTextThatItBreaks) {
+    LoweredModule module;
+    module.hlsl = "float f()\n{ return nothing; }\nwrapper\n";
+    module.line_map = {{"author.fx", 1, 0}, {"author.fx", 2, 0}};
+    const std::string generated = "ERROR: 0:3: 'constructor' : can't convert\n";
+    const Diagnostics both = read_compile_log("ERROR: 0:2: 'nothing' : unknown variable\n" + generated, module);
+    ASSERT_EQ(both.size(), 1u) << all_of(both);
+    EXPECT_EQ(both[0].place.line, 2);
+    const Diagnostics warned = read_compile_log("WARNING: 0:2: 'f' : doubtful\n" + generated, module);
+    EXPECT_TRUE(has_errors(warned)) << all_of(warned);
 }
 
 class Crashes : public testing::TestWithParam<std::pair<const char*, const char*>> {};
