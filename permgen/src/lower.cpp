@@ -21,6 +21,7 @@ public:
         const SamplerDimensions dimensions = infer_sampler_dimensions(effect_, sources_, diagnostics_);
         const LoweredText author = author_text(effect_, sources_, dimensions, lowered_.resources, diagnostics_);
         if (has_errors(diagnostics_)) return std::move(lowered_);
+        widen_varyings();
         LocationTable locations;
         for (const EntryPoint& entry : entries_) {
             collect(locations, entry.stage, Direction::In, entry.inputs);
@@ -35,6 +36,12 @@ public:
 private:
     void error(const char* code, Location at, std::string message) {
         report_error(diagnostics_, code, sources_.place(at), std::move(message));
+    }
+
+    void widen_varyings() {
+        for (EntryPoint& vertex : entries_)
+            for (const EntryPoint& pixel : entries_)
+                if (vertex.stage == Stage::Vertex && pixel.stage == Stage::Pixel) widen(vertex.outputs, pixel.inputs);
     }
 
     void check_names() {

@@ -219,6 +219,14 @@ void check_distinct(const std::vector<InterfaceSlot>& slots, std::string_view en
     }
 }
 
+void widen(std::vector<InterfaceSlot>& outputs, const std::vector<InterfaceSlot>& inputs) {
+    for (InterfaceSlot& output : outputs)
+        for (const InterfaceSlot& input : inputs)
+            if (output.system_value.empty() && !output.is_matrix_column && input.scalar == output.scalar &&
+                output.conversion == Conversion::None && input.canonical() == output.canonical())
+                output.components = std::max(output.components, input.components);
+}
+
 void collect(LocationTable& table, Stage stage, Direction direction, const std::vector<InterfaceSlot>& slots) {
     if (is_target(stage, direction)) return;
     const bool input = is_vertex_input(stage, direction);

@@ -62,6 +62,10 @@ void flatten(const ParsedEffect& effect, const Sources& sources, const Variable&
 /// Reports semantics that two slots share. Slots of one system value read from different paths are no conflict.
 void check_distinct(const std::vector<InterfaceSlot>& slots, std::string_view entry, Diagnostics& diagnostics);
 
+/// Widens each varying in `outputs` to what `inputs`, some pixel shader's, reads of it: D3D9 lets a pixel
+/// shader read more components than the vertex shader writes, Vulkan does not.
+void widen(std::vector<InterfaceSlot>& outputs, const std::vector<InterfaceSlot>& inputs);
+
 /// Locations of the semantics that have no fixed one, effect-wide; see above.
 struct LocationTable {
     std::map<std::pair<std::string, unsigned>, std::uint32_t> vertex_inputs;

@@ -91,6 +91,12 @@ void copy_out(LoweredText& text, const InterfaceSlot& slot) {
                      std::to_string(slot.matrix_column) + ']';
         value += ')';
     }
+    if (slot.conversion == Conversion::None && slot.author_components < slot.components) {
+        // What the author leaves out is (0, 0, 0, 1), as in a vertex element that D3D9 expands.
+        value = spelling(slot.scalar, slot.components) + '(' + value;
+        for (unsigned c = slot.author_components; c < slot.components; ++c) value += c == 3 ? ", 1" : ", 0";
+        value += ')';
+    }
     if (slot.conversion == Conversion::Cast) value = '(' + spelling(slot.scalar, slot.components) + ")(" + value + ')';
     add_line(text, "    permgen_out." + slot.canonical() + " = " + value + ';');
 }

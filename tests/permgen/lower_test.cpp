@@ -147,6 +147,73 @@ INSTANTIATE_TEST_SUITE_P(
                   "PG042", 2, "Globals"}),
     [](const auto& test) { return test.param.name; });
 
+// How a value gets from the interface to the author's variable and back.
+struct WrapperCase {
+    const char* name;
+    const char* shader;
+    const char* line;
+};
+
+class Wrapper : public testing::TestWithParam<WrapperCase> {};
+
+TEST_P(Wrapper, HasLine) {
+    const std::string text = GetParam().shader;
+    const bool vertex = text.find("vs(") != std::string::npos;
+    const Result result(text + (vertex ? " technique t { pass p { VertexShader = compile vs_3_0 vs(); } }"
+                                       : " technique t { pass p { PixelShader = compile ps_3_0 ps(); } }"));
+    ASSERT_FALSE(has_errors(result.diagnostics)) << format(result.diagnostics[0]);
+    const std::string& hlsl = result.module(vertex ? "vs" : "ps").hlsl;
+    EXPECT_NE(hlsl.find(GetParam().line), std::string::npos) << hlsl;
+}
+
+constexpr const char* matrix_input =
+    "float4 vs(float4 p : POSITION, float3x2 m : TEXCOORD1, row_major float2x3 r : TEXCOORD4) : POSITION { return p; }";
+constexpr const char* pixel_input =
+    "float4 ps(float2 at : VPOS, float face : VFACE, float4 z : POSITION, bool b : LIT, float size : PSIZE) : COLOR "
+    "{ return face; }";
+constexpr const char* pixel_output =
+    "struct O { float4 b : COLOR1; float4 a : SV_Target0; float d : DEPTH0; }; O ps() { return (O)0; }";
+constexpr const char* vertex_output =
+    "struct O { float4 p : POSITION0; float s : PSIZE; float c : SV_ClipDistance; float2 t_m : TEXCOORD3_centroid; int "
+    "i "
+    ": ID; }; void vs(inout float4 p : POSITION1, out O o, uint n : SV_VertexID) { o = (O)0; }";
+
+INSTANTIATE_TEST_SUITE_P(
+    Lower, Wrapper,
+    testing::Values(
+        // D3D9 assigns one register to a column of a column_major matrix, to a row of a row_major one.
+        WrapperCase{"ColumnIsRegister", matrix_input, "permgen_argument1[2][1] = (permgen_in.TEXCOORD2).z;"},
+        WrapperCase{"ColumnRegister", matrix_input, "[[vk::location(4)]] float3 TEXCOORD2;"},
+        WrapperCase{"RowIsRegister", matrix_input, "permgen_argument2[1] = permgen_in.TEXCOORD5;"},
+        WrapperCase{"PixelIndex", pixel_input, "permgen_argument0 = floor(permgen_in.SV_POSITION).xy;"},
+        WrapperCase{"FaceSign", pixel_input, "(permgen_in.SV_ISFRONTFACE ? 1.0 : -1.0)"},
+        WrapperCase{"OnePositionForBoth", pixel_input, "permgen_argument2 = permgen_in.SV_POSITION;"},
+        WrapperCase{"BoolTravelsAsUint", pixel_input, "nointerpolation uint LIT0;"},
+        WrapperCase{"BoolIsBoolAgain", pixel_input, "permgen_argument3 = (bool)(permgen_in.LIT0);"},
+        WrapperCase{"PointSizeReadsAsZero", pixel_input, "permgen_argument4 = 0;"},
+        WrapperCase{"SecondTargetFirst", pixel_output, "[[vk::location(1)]] float4 COLOR1 : SV_Target1;"},
+        WrapperCase{"TargetIsColour", pixel_output, "permgen_out.COLOR0 = permgen_result.a;"},
+        WrapperCase{"Depth", pixel_output, "float SV_DEPTH : SV_Depth;"},
+        WrapperCase{"Position", vertex_output, "float4 SV_POSITION : SV_Position;"},
+        WrapperCase{"PointSize", vertex_output, "[[vk::builtin(\"PointSize\")]] float PSIZE0;"},
+        WrapperCase{"ClipDistance", vertex_output, "float SV_CLIPDISTANCE0 : SV_ClipDistance0;"},
+        WrapperCase{"Centroid", vertex_output, "[[vk::location(5)]] centroid float2 TEXCOORD3;"},
+        WrapperCase{"IntIsFlat", vertex_output, "nointerpolation int ID0;"},
+        WrapperCase{"InoutGoesIn", vertex_output, "permgen_argument0 = permgen_in.POSITION1;"},
+        WrapperCase{"InoutComesOut", vertex_output, "permgen_out.POSITION1 = permgen_argument0;"},
+        WrapperCase{"VertexIndex", vertex_output, "uint SV_VERTEXID : SV_VertexID;"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST(Lower, MatrixTakesOneRegisterForEachColumnOrRow) {
+    const Result result(std::string(matrix_input) + " technique t { pass p { VertexShader = compile vs_3_0 vs(); } }");
+    const std::vector<LoweredAttribute>& inputs = result.module("vs").inputs;
+    ASSERT_EQ(inputs.size(), 5u);
+    EXPECT_EQ(inputs[1].components, 3u);
+    EXPECT_EQ(inputs[2].semantic, "TEXCOORD2");
+    EXPECT_EQ(inputs[3].semantic, "TEXCOORD4");
+    EXPECT_EQ(inputs[4].semantic, "TEXCOORD5");
+}
+
 TEST(Lower, VertexShaderWithoutPositionIsRefused) {
     const Result result(
         "float4 vs(float4 p : POSITION) : COLOR { return p; }\ntechnique t { pass p { VertexShader = compile vs_3_0 "
@@ -181,6 +248,21 @@ TEST(Lower, VaryingLocationsDoNotDependOnOrder) {
     EXPECT_EQ(find(result.module("ps").inputs, "COLOR1")->location, 1u);
     EXPECT_EQ(find(result.module("ps").inputs, "FOG0")->location, 12u);
     EXPECT_EQ(find(result.module("ps").inputs, "NORMAL0")->location, 13u);
+}
+
+TEST(Lower, VertexOutputsAreAsWideAsPixelShadersReadThem) {
+    const Result result(
+        "void vs(inout float4 p : POSITION, inout float2 a : TEXCOORD0, inout float4 b : TEXCOORD1) { }\n"
+        "float4 ps(float4 a : TEXCOORD0, float2 b : TEXCOORD1) : COLOR { return a + b.xyxy; }\n"
+        "technique t { pass p { VertexShader = compile vs_3_0 vs(); PixelShader = compile ps_3_0 ps(); } }");
+    ASSERT_TRUE(result.diagnostics.empty()) << format(result.diagnostics[0]);
+    const LoweredModule& vs = result.module("vs");
+    EXPECT_EQ(find(vs.outputs, "TEXCOORD0")->components, 4u);
+    EXPECT_EQ(find(vs.outputs, "TEXCOORD1")->components, 4u);
+    EXPECT_EQ(find(vs.inputs, "TEXCOORD0")->components, 2u);
+    EXPECT_EQ(find(result.module("ps").inputs, "TEXCOORD1")->components, 2u);
+    EXPECT_NE(vs.hlsl.find("permgen_out.TEXCOORD0 = float4(permgen_argument1, 0, 1);"), std::string::npos);
+    EXPECT_FALSE(compile_hlsl(vs.stage, vs.entry, vs.hlsl).code.empty());
 }
 
 TEST(Lower, VertexInputsHaveTheDocumentedLocations) {

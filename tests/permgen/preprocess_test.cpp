@@ -67,6 +67,8 @@ INSTANTIATE_TEST_SUITE_P(
         TextCase{"BracketsHideCommas", "#define F(x) [x]\nF((1, 2))", "[ ( 1 , 2 ) ]"},
         TextCase{"ArgumentOfOtherCall", "#define F(x) x x\nF(F(1))", "1 1 1 1"},
         TextCase{"SelfReference", "#define A A + 1\nA", "A + 1"},
+        TextCase{"SelfReferenceAsArgument", "#define A A + 1\n#define I(x) x\nI(A)", "A + 1"},
+        TextCase{"LeftToRight", "#if 8 - 4 - 2 == 2 && 100 / 10 / 5 == 2\na\n#endif", "a"},
         TextCase{"MutualReference", "#define A B\n#define B A\nA B", "A B"},
         TextCase{"Rescan", "#define A B\n#define B 3\nA", "3"},
         TextCase{"CallFromBody", "#define F(x) x\n#define A F\nA(1)", "1"},
