@@ -284,14 +284,15 @@ TEST(Lower, VertexInputsHaveTheDocumentedLocations) {
 
 TEST(Lower, OneModuleForAllSettingsOfAnEntryPoint) {
     const std::string pass = "{ VertexShader = compile vs_3_0 vs(); PixelShader = compile ps_3_0 ";
-    const Result result(vertex_shader + "bool gOn; " + switched + "technique t { pass a " + pass +
+    const Result result(vertex_shader + "bool gOn, gOther; " + switched + "technique t { pass a " + pass +
                         "ps_main(true, 1); } pass b " + pass + "ps_main(false, -7); } pass c " + pass +
-                        "ps_main(gOn, 1); } }");
+                        "ps_main(gOn, 1); } pass d " + pass + "ps_main(gOther, 1); } }");
     ASSERT_TRUE(result.diagnostics.empty()) << format(result.diagnostics[0]);
-    ASSERT_EQ(result.lowered.modules.size(), 3u);
+    ASSERT_EQ(result.lowered.modules.size(), 4u);
     const std::vector<LoweredPass>& passes = result.lowered.techniques[0].passes;
     EXPECT_EQ(passes[0].pixel.module, passes[1].pixel.module);
     EXPECT_NE(passes[0].pixel.module, passes[2].pixel.module);
+    EXPECT_NE(passes[2].pixel.module, passes[3].pixel.module);
     EXPECT_EQ(result.lowered.modules[2].name, "ps_main_2");
     ASSERT_EQ(passes[2].pixel.constants.size(), 1u);
     EXPECT_EQ(passes[2].pixel.constants[0].name, "n");
