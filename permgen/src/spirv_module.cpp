@@ -2,6 +2,8 @@
 
 #include <spirv/unified1/spirv.hpp>
 
+#include "lowered.h"
+
 namespace permgen {
 
 bool for_each_instruction(std::span<const std::uint32_t> code,
@@ -34,14 +36,19 @@ std::string spirv_literal(std::span<const std::uint32_t> operands, std::size_t f
 
 namespace {
 
+/// The author's name: lowering puts a prefix before words that glslang keeps for itself.
+std::string author_name(const std::string& name) {
+    return name.starts_with(renamed_prefix) ? name.substr(renamed_prefix.size()) : name;
+}
+
 void read_annotation(const SpirvInstruction& instruction, SpirvModule& module) {
     const auto& words = instruction.operands;
     switch (instruction.opcode) {
         case spv::OpName:
-            module.names[words[0]] = spirv_literal(words, 1);
+            module.names[words[0]] = author_name(spirv_literal(words, 1));
             break;
         case spv::OpMemberName:
-            module.member_names[{words[0], words[1]}] = spirv_literal(words, 2);
+            module.member_names[{words[0], words[1]}] = author_name(spirv_literal(words, 2));
             break;
         case spv::OpDecorate:
             module.decorations[words[0]][words[1]] = words.size() > 2 ? words[2] : 0;

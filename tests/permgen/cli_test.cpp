@@ -179,6 +179,22 @@ TEST_F(Cli, DefinitionsReachTheEffect) {
     EXPECT_EQ(permgen("list -D DEPTH=0.25 -D ONE good.fx").status, 0);
 }
 
+// glslang reserves these words; the tables carry them as the author wrote them.
+TEST_F(Cli, NamesThatGlslangReservesComeOutAsWritten) {
+    put("words.fx",
+        "float4 point;\nsampler2D line;\n"
+        "float4 vs_main(float4 position : POSITION) : POSITION { return position + point; }\n"
+        "float4 ps_main(uniform bool triangle) : COLOR0\n"
+        "{ float4 c = point; if (triangle) c = tex2D(line, c.xy); return c; }\n"
+        "technique t { pass { VertexShader = compile vs_2_0 vs_main(); PixelShader = compile ps_2_0 ps_main(true); } "
+        "}\n");
+    const Outcome outcome = permgen("compile words.fx -o out");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto manifest = nlohmann::json::parse(read(folder / "out/words.fx.json"));
+    EXPECT_EQ(manifest.dump().find("permgen_id"), std::string::npos) << manifest.dump(2);
+    EXPECT_NE(manifest.dump().find("\"name\":\"point\""), std::string::npos) << manifest.dump(2);
+}
+
 TEST_F(Cli, TheNamespaceIsTheOneAskedFor) {
     put("my-effect.fx", good);
     ASSERT_EQ(permgen("compile -o a my-effect.fx").status, 0);

@@ -1,6 +1,7 @@
 #include "compile.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
@@ -47,7 +48,8 @@ TEST(Compile, SameTextSameWordsWhateverTheNumberOfJobs) {
 /// An effect whose author wrote exactly what small_effect() compiles, on disk.
 class Located : public testing::Test {
 protected:
-    Located() : path_(testing::TempDir() + "located.fx") {}
+    // One file a process: ctest runs several at once.
+    Located() : path_(testing::TempDir() + "located_" + std::to_string(::getpid()) + ".fx") {}
     ~Located() override { std::filesystem::remove(path_); }
 
     Diagnostics errors_of(const std::string& body) {
