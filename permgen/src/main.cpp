@@ -86,6 +86,21 @@ std::optional<permgen::Program> build(const Options& options) {
     return program;
 }
 
+/// Why these files must not be written: one would take the place of a file that was read, or of another.
+std::string collision(const std::vector<permgen::OutputFile>& files, const std::vector<std::string>& read) {
+    std::error_code ignored;  // what does not exist yet is no other file
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (const std::string& source : read)
+            if (std::filesystem::equivalent(files[i].path, source, ignored))
+                return "cannot write '" + files[i].path + "': the effect is made of this file; choose another";
+        for (std::size_t other = 0; other < i; ++other)
+            if (std::filesystem::weakly_canonical(files[i].path, ignored) ==
+                std::filesystem::weakly_canonical(files[other].path, ignored))
+                return "cannot write '" + files[i].path + "' twice; give --depfile a name of its own";
+    }
+    return {};
+}
+
 Status compile(const Options& options) {
     const auto program = build(options);
     if (!program) return WorkFailed;
@@ -97,7 +112,9 @@ Status compile(const Options& options) {
     for (permgen::OutputFile& file : files) file.path = (folder / file.path).string();
     if (!options.depfile.empty())
         files.push_back({options.depfile, permgen::emit_depfile(files.back().path, program->effect.dependencies)});
-    if (const std::string why = permgen::write_files(files); !why.empty()) {
+    std::string why = collision(files, program->effect.dependencies);
+    if (why.empty()) why = permgen::write_files(files);
+    if (!why.empty()) {
         permgen::Diagnostic diagnostic{permgen::Severity::Error, "PG070", {options.effect, 0, 0}, why};
         std::fprintf(stderr, "%s\n", permgen::format(diagnostic).c_str());
         return WorkFailed;

@@ -108,6 +108,25 @@ TEST(Command, StatisticsUnwritable) {
     EXPECT_TRUE(neighbours(picture).empty());
 }
 
+TEST(Command, StatisticsDoNotTakeTheScenesPlace) {
+    const std::string scene = writeScene(wallScene());
+    const auto size = std::filesystem::file_size(scene);
+    expectRefusal(runTyndall({"render", scene, "-o", freshPath("picture.png"), "--stats", scene}), failed,
+                  "is the scene");
+    EXPECT_EQ(std::filesystem::file_size(scene), size);
+}
+
+TEST(Command, StatisticsDoNotTakeThePicturesPlace) {
+    const std::string picture = freshPath("picture.png");
+    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", picture, "--stats", picture}), failed,
+                  "picture's file");
+    EXPECT_TRUE(neighbours(picture).empty());
+}
+
+TEST(Command, OutputWithoutAName) {
+    expectRefusal(runTyndall({"render", "scene.glb", "-o", ""}), wrongCommandLine, "name is empty");
+}
+
 TEST(Command, NoVulkanDevice) {
     const std::string picture = freshPath("picture.png");
     const ProgramRun run = runTyndall({"render", writeScene(wallScene()), "-o", picture},

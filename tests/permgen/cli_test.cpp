@@ -324,6 +324,24 @@ TEST_F(Cli, AFullDiskLeavesWhatWasThere) {
     EXPECT_EQ(files(), before);
 }
 
+TEST_F(Cli, TheDepfileDoesNotTakeTheEffectsPlace) {
+    put("good.fx", good);
+    const auto before = files();
+    const Outcome outcome = permgen("compile -o . --depfile ./good.fx good.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("the effect is made of this file"), std::string::npos) << outcome.err;
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Cli, TheDepfileDoesNotTakeTheHeadersPlace) {
+    put("good.fx", good);
+    const auto before = files();
+    const Outcome outcome = permgen("compile -o a --depfile a/../a/good.fx.h good.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("twice"), std::string::npos) << outcome.err;
+    EXPECT_EQ(files(), before);
+}
+
 TEST_F(Cli, AFullStandardOutputIsAnError) {
     put("good.fx", good);
     const Outcome outcome = permgen("list good.fx", {}, "/dev/full");

@@ -138,6 +138,8 @@ Outcome<Request> parseCommandLine(int argc, const char* const* argv) {
     if (auto checked = checkView(view, written.size); !checked) return tl::unexpected(checked.error());
     if (auto checked = checkShafts(shafts); !checked) return tl::unexpected(checked.error());
     if (!render->parsed()) return written.explain;
+    if (render->count("--output") > 0 && written.render.output.empty())
+        return fail("-o: the picture's name is empty; give one, or leave -o out");
     if (auto checked = checkRender(written.render); !checked) return tl::unexpected(checked.error());
     return written.render;
 }

@@ -9,11 +9,26 @@
 
 namespace tyndall::app {
 
+namespace {
+
+/// Statistics must not take the place of the scene or of the picture.
+Outcome<void> checkStatistics(const std::string& stats, const RenderOptions& options) {
+    if (auto open = checkWritable(stats); !open) return open;
+    std::error_code ignored;  // what does not exist yet is no other file
+    if (std::filesystem::equivalent(stats, options.view.scene, ignored))
+        return fail("--stats: {} is the scene; name another file", stats);
+    if (std::filesystem::weakly_canonical(stats, ignored) == std::filesystem::weakly_canonical(options.output, ignored))
+        return fail("--stats: {} is the picture's file; name another one", stats);
+    return {};
+}
+
+}  // namespace
+
 Outcome<Said> render(const RenderOptions& options) {
     // What can be known to fail is asked first: rendering takes seconds.
     if (auto open = checkWritable(options.output); !open) return tl::unexpected(open.error());
     if (options.stats)
-        if (auto open = checkWritable(*options.stats); !open) return tl::unexpected(open.error());
+        if (auto checked = checkStatistics(*options.stats, options); !checked) return tl::unexpected(checked.error());
 
     auto planned = planScene(options.view, options.shafts);
     if (!planned) return tl::unexpected(planned.error());
@@ -38,8 +53,8 @@ Outcome<Said> render(const RenderOptions& options) {
         said.notes.push_back(fmt::format("note: {}: {}", ignored.name, ignored.reason));
     for (const PlannedLight& light : planned->plan.lights)
         if (!light.drawn)
-            said.notes.push_back(fmt::format("note: light \"{}\" throws no shafts here: {}",
-                                             planned->lights[light.light].name, light.reason));
+            said.notes.push_back(
+                fmt::format("note: light \"{}\": {}", planned->lights[light.light].name, light.reason));
     std::error_code error;
     said.notes.push_back(fmt::format("wrote {}", std::filesystem::absolute(options.output, error).string()));
     return said;
