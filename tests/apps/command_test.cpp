@@ -1,5 +1,6 @@
 // The command line: what it accepts, what it says, and with which status it ends.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -114,6 +115,14 @@ TEST(Command, StatisticsDoNotTakeTheScenesPlace) {
     expectRefusal(runTyndall({"render", scene, "-o", freshPath("picture.png"), "--stats", scene}), failed,
                   "is the scene");
     EXPECT_EQ(std::filesystem::file_size(scene), size);
+}
+
+TEST(Command, StatisticsDoNotTakeAPipesPlace) {
+    const std::string pipe = freshPath("pipe.json");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", freshPath("picture.png"), "--stats", pipe}),
+                  failed, "no plain file");
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
 TEST(Command, StatisticsDoNotTakeThePicturesPlace) {

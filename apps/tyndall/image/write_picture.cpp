@@ -61,6 +61,9 @@ std::optional<PictureFormat> pictureFormat(std::string_view path) {
 Outcome<void> checkWritable(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return fail("{}: is a folder; name a file", path);
+    // The rename that ends the writing would put a plain file in a device's or a pipe's place.
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+        return fail("{}: is no plain file; choose another place", path);
     const std::string partial = besidePath(path);
     errno = 0;
     const bool opened = std::ofstream(partial).is_open();
