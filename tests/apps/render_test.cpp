@@ -41,7 +41,10 @@ constexpr std::array<std::array<bool, 3>, 4> slideColours = {
 class Slide : public testing::TestWithParam<const char*> {};
 
 TEST_P(Slide, AppearsAsItWouldToAnEyeAtTheLamp) {
-    const Pixels picture = render(slideScene(), {"--layer", GetParam(), "--accum", "rgba32f", "--planes", "16"});
+    Glb glb = slideScene();
+    // Clear air: what is seen is the pool on the wall alone.
+    if (GetParam() == std::string("all")) glb.json["nodes"][2]["extras"]["tyndall"]["density"] = 0.0;
+    const Pixels picture = render(glb, {"--layer", GetParam(), "--accum", "rgba32f", "--planes", "16"});
     ASSERT_EQ(picture.width, 64);
     for (std::size_t quarter = 0; quarter < 4; ++quarter)
         for (int c = 0; c < 3; ++c) {
