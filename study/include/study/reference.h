@@ -1,0 +1,73 @@
+// The truth that pictures are measured against: the radiance of the light shafts at each pixel's centre,
+//
+//   L = density / (4 pi) * integral over the ray of noise * cookie * shadow * (I / d^2 + ambient) dt,
+//
+// in double precision, without slices. It shares no code with the renderer: of runtime/ it knows the plain
+// structs Light and View alone.
+#pragma once
+
+#include <study/texture.h>
+#include <tyndall/light.h>
+#include <tyndall/view.h>
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace tyndall::study {
+
+enum class Mode {
+    Ideal,     ///< the world: shadows of the triangles themselves, surfaces where rays meet them
+    Hardware,  ///< the renderer's own shadow maps and depth buffer, sampled as its shaders sample them
+};
+
+/// One corner after the other, world space, metres. Counter-clockwise as seen from its front.
+struct Triangle {
+    glm::dvec3 a, b, c;
+    bool bothSides = false;  ///< hides what is behind it from either side; it always throws a shadow
+};
+
+/// Light::cookie, ::shadow and ::noise say which terms a light has; textures of the others may be empty.
+struct ReferenceLight {
+    Light light;
+    Texture cookie;     ///< linear colour, at least three channels; bilinear, clamped
+    Texture noise;      ///< red and green carry the two maps; bilinear, wrapped
+    Texture shadowMap;  ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
+                        ///< comparison comes first, then the bilinear filter, clamped
+};
+
+struct ReferenceScene {
+    Mode mode = Mode::Ideal;
+    View view;  ///< its sceneDepth is not looked at
+    int width = 0, height = 0;
+    double time = 0.0;  ///< seconds; scrolls the noise
+    std::vector<ReferenceLight> lights;
+    std::vector<Triangle> triangles;  ///< Ideal
+    Texture depth;                    ///< Hardware: width x height, one channel, stored depth as view.clipFromView
+                                      ///< projects it, the far plane's value where nothing was drawn; may be empty
+    double shadowBias = 0.0;          ///< Hardware: as PlanOptions::shadowBias
+};
+
+struct ReferenceOptions {
+    double accuracy = 1e-8;  ///< relative error asked for at each pixel and channel; at least 1e-12
+    unsigned threads = 0;    ///< 0: one for each processor; the picture does not depend on it
+    /// Called now and then from the calling thread with the share done, 0 to 1; false stops the work.
+    std::function<bool(double)> progress;
+};
+
+struct ReferenceImage {
+    int width = 0, height = 0;
+    std::vector<glm::dvec3> radiance;  ///< rows from the top
+    std::vector<double> bound;         ///< of each pixel's relative error, the worst channel's, as estimated
+    double largestBound = 0.0;         ///< of all pixels: the accuracy achieved
+    std::uint64_t evaluations = 0;     ///< of the integrand
+};
+
+/// Errors, one sentence each: a light, view or texture that breaks what is stated above; an image without
+/// pixels; "interrupted" where `progress` said so.
+tl::expected<ReferenceImage, std::string> reference(const ReferenceScene& scene, const ReferenceOptions& options = {});
+
+}  // namespace tyndall::study
