@@ -1,11 +1,12 @@
-# `cmake --install`: the packages permgen (program, tables, permgen_effect()) and tyndall (the runtime),
-# found by find_package(permgen) and find_package(tyndall).
+# `cmake --install`: the packages permgen (program, tables, manifest loader, permgen_effect()) and tyndall (the
+# runtime), found by find_package(permgen) and find_package(tyndall).
 include(CMakePackageConfigHelpers)
 
 set_target_properties(permgen_tables PROPERTIES EXPORT_NAME tables)
+set_target_properties(permgen_manifest PROPERTIES EXPORT_NAME manifest)
 set_target_properties(tyndall_runtime PROPERTIES EXPORT_NAME runtime)
 
-install(TARGETS permgen permgen_tables EXPORT permgenTargets)
+install(TARGETS permgen permgen_tables permgen_manifest EXPORT permgenTargets)
 install(TARGETS tyndall_runtime EXPORT tyndallTargets)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/permgen/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")

@@ -1,11 +1,11 @@
 // Records a plan into the caller's command buffer. Makes no decisions: plan() made them.
 //
 // The caller owns instance, device, queues, memory of its own images, synchronization between frames and
-// the pipeline cache. The device needs Vulkan 1.3 with dynamicRendering, synchronization2 and
-// separateDepthStencilLayouts enabled, the feature shaderClipDistance and the extension
-// VK_KHR_push_descriptor. Nothing here is thread-safe by itself; use one Renderer a thread or lock around it.
+// the pipeline cache. device.h says what the device needs. Nothing here is thread-safe by itself; use one
+// Renderer a thread or lock around it.
 #pragma once
 
+#include <tyndall/device.h>
 #include <tyndall/plan.h>
 #include <tyndall/result.h>
 #include <vulkan/vulkan_core.h>
@@ -15,21 +15,6 @@
 #include <string_view>
 
 namespace tyndall {
-
-/// What the slices' pipelines are made of. Both draw the same picture, bit for bit.
-enum class Shaders {
-    Frozen,       ///< the technique's own module without dead code: only what it needs is bound
-    Specialized,  ///< the one module that all techniques share, with its specialization constants set. What
-                  ///< it declares must be bound, needed or not (Vulkan counts a resource as used before
-                  ///< specialization): what the technique does not need is bound to neutral textures
-};
-
-struct DeviceContext {
-    VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkPipelineCache pipelineCache = VK_NULL_HANDLE;  ///< may be null
-    Shaders shaders = Shaders::Frozen;
-};
 
 VkFormat accumulationFormat(Accumulation accumulation);
 
@@ -95,7 +80,9 @@ private:
 class Renderer {
 public:
     struct Impl;  ///< the library's own
-    /// Errors: InvalidArgument for a null handle, UnsupportedDevice with the missing feature's name.
+    /// Errors: InvalidArgument for a null handle, and where one of context's effects does not fit this library:
+    /// a technique, a frozen module or a constant is absent, or lies elsewhere in its block. UnsupportedDevice
+    /// with the missing feature's name.
     static Result<Renderer> create(const DeviceContext& context);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;

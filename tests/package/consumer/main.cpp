@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include <permgen/manifest.h>
 #include <tint.fx.h>
 #include <tyndall/plan.h>
 
@@ -9,6 +10,13 @@ static_assert(!permgen::is_live(permgen::find_technique(tint::effect, "plain")->
 static_assert(permgen::is_live(permgen::find_technique(tint::effect, "picture")->passes[0], "PictureSampler"));
 
 int main() {
+    // And at run time, as an engine does that reloads what was edited.
+    const permgen::LoadResult loaded = permgen::load_manifest(EFFECTS);
+    if (!loaded.effect || loaded.effect->tables().techniques.size() != tint::effect.techniques.size()) {
+        std::fprintf(stderr, "%s\n", loaded.error.c_str());
+        return 1;
+    }
+
     const tyndall::Light light;
     const tyndall::View view = tyndall::perspectiveView(glm::dmat4(1.0), 0.8, 1.0, 0.1, 100.0);
     const auto plan = tyndall::plan(std::span(&light, 1), view, {});

@@ -1,0 +1,45 @@
+// Loads at run time what `permgen compile` wrote into a folder: the very tables that the generated header
+// holds, for programs that reload effects while they run and for tools that meet an effect for the first time.
+#pragma once
+
+#include <permgen/tables.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace permgen {
+
+/// An effect and the memory its tables lie in. Moving one leaves every pointer into its tables valid.
+class LoadedEffect {
+public:
+    struct Storage;  ///< the library's own
+    explicit LoadedEffect(std::unique_ptr<const Storage> storage);
+    LoadedEffect(LoadedEffect&&) noexcept;
+    LoadedEffect& operator=(LoadedEffect&&) noexcept;
+    ~LoadedEffect();
+
+    /// What the generated header calls `effect`; frozen modules are there where --freeze wrote them. Valid as
+    /// long as this, or what this was moved into, lives. Not to be asked of what was moved from.
+    const Effect& tables() const;
+
+private:
+    std::unique_ptr<const Storage> storage_;
+};
+
+/// An effect, or else why there is none.
+struct LoadResult {
+    std::optional<LoadedEffect> effect;
+    std::string error;  ///< one sentence that names file, place and remedy, without a trailing newline
+};
+
+/// Loads `manifest`, a NAME.fx.json or a folder that holds only one of them, and the .spv files that it names,
+/// which lie beside it.
+///
+/// Fails where a file cannot be read, where the JSON is broken or of another format, where a field is absent or
+/// of the wrong type, where a name (of a type, stage, kind, module, resource or block) is unknown, where a
+/// file's name leads out of the folder, and where a .spv is empty, torn or no SPIR-V.
+LoadResult load_manifest(const std::filesystem::path& manifest);
+
+}  // namespace permgen

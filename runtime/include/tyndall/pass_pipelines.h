@@ -1,0 +1,103 @@
+// Pipelines, layouts, samplers and push descriptors for the passes of any effect that permgen compiled:
+//
+//   auto pipelines = PassPipelines::create({physicalDevice, device}, water::effect);
+//   auto calm = pipelines->get(technique->passes[0], {.colours = {format}}, vertexElements);
+//   pipelines->recordNeutralResources(commands);                // outside of rendering
+//   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, calm->handle);
+//   pipelines->push(commands, *calm, {{{"Globals", constants}}}, {{{"RippleSampler", view, layout}}});
+//
+// Viewport, scissor and the stride of vertices (vkCmdBindVertexBuffers2) are dynamic state. Not thread-safe.
+#pragma once
+
+#include <tyndall/device.h>
+#include <tyndall/result.h>
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace tyndall {
+
+/// One element of an interleaved vertex.
+struct VertexElement {
+    std::string_view semantic;  ///< as permgen writes it: "TEXCOORD0"
+    std::uint32_t offset;       ///< bytes from the vertex's start
+    VkFormat format;
+};
+
+/// What a pipeline draws, and where.
+struct PassTarget {
+    std::array<VkFormat, 4> colours{};                  ///< COLOR0 to COLOR3; those at the end may be UNDEFINED
+    VkFormat depth = VK_FORMAT_UNDEFINED;               ///< UNDEFINED: no depth test, whatever the pass says
+    VkCompareOp compare = VK_COMPARE_OP_LESS_OR_EQUAL;  ///< of depths, where the pass has no ZFunc
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    bool dynamicCulling = false;  ///< cull mode and front face are dynamic state, whatever the pass says
+    auto operator<=>(const PassTarget&) const = default;
+};
+
+/// The buffer of a uniform block, by the block's name in the effect.
+struct NamedBuffer {
+    std::string_view block;
+    VkDescriptorBufferInfo buffer;
+};
+
+/// The image of a sampler, by the sampler's name in the effect.
+struct NamedImage {
+    std::string_view sampler;
+    VkImageView view;
+    VkImageLayout layout;
+};
+
+struct PassLayout;  ///< the library's own
+
+/// Lives as long as the PassPipelines that made it.
+struct PassPipeline {
+    VkPipeline handle = VK_NULL_HANDLE;
+    const PassLayout* layout = nullptr;
+};
+
+/// What `pipeline` reads of the resource of that name, in the sense of permgen::is_live().
+bool reads(const PassPipeline& pipeline, std::string_view resource);
+
+class PassPipelines {
+public:
+    struct Impl;  ///< the library's own
+
+    /// `effect` must outlive it. context.shaders chooses between each pass's frozen modules and the shared,
+    /// specialized ones.
+    /// Errors: InvalidArgument for a null handle, UnsupportedDevice with the missing feature's name.
+    static Result<PassPipelines> create(const DeviceContext& context, const permgen::Effect& effect);
+    PassPipelines(PassPipelines&&) noexcept;
+    PassPipelines& operator=(PassPipelines&&) noexcept;
+    ~PassPipelines();  ///< the GPU must have finished with everything recorded
+
+    /// The pipeline that draws `pass`, a pass of the effect, made when first asked for. Of `elements` those are
+    /// used that the pass's vertex shader reads.
+    /// Errors: InvalidArgument where a state is unknown, where a semantic has no element, where frozen modules
+    /// are asked for that permgen was not told to make, where more than 32 resources are bound;
+    /// UnsupportedDevice where the device cannot draw to a format; Vulkan.
+    Result<PassPipeline> get(const permgen::Pass& pass, const PassTarget& target,
+                             std::span<const VertexElement> elements);
+
+    /// Fills what stands in for resources that a specialized module declares and its pass does not read. To be
+    /// recorded before drawing with such pipelines, outside of rendering, in any submission that uses them;
+    /// records nothing where there is nothing to fill.
+    void recordNeutralResources(VkCommandBuffer commands) const;
+
+    /// Pushes what `pipeline` binds: of `buffers` and `images` those it names. Returns how many descriptors that
+    /// were. Errors: InvalidArgument naming a resource that the pass reads and that got no buffer or image.
+    Result<std::uint32_t> push(VkCommandBuffer commands, const PassPipeline& pipeline,
+                               std::span<const NamedBuffer> buffers, std::span<const NamedImage> images) const;
+
+    /// Pipelines made so far.
+    std::size_t count() const;
+
+private:
+    explicit PassPipelines(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tyndall
