@@ -1,0 +1,117 @@
+#include "check_scene.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace tyndall::study {
+namespace {
+
+using Checked = tl::expected<void, std::string>;
+
+template <class... Args>
+tl::unexpected<std::string> broken(fmt::format_string<Args...> text, Args&&... args) {
+    return tl::unexpected<std::string>(fmt::format(text, std::forward<Args>(args)...));
+}
+
+bool finite(const glm::dmat4& matrix) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row])) return false;
+    return true;
+}
+
+bool rigid(const glm::dmat4& pose) {
+    const glm::dmat3 r(pose);
+    const glm::dmat3 off = glm::transpose(r) * r - glm::dmat3(1.0);
+    double most = 0.0;
+    for (int i = 0; i < 9; ++i) most = std::max(most, std::abs(off[i / 3][i % 3]));
+    return finite(pose) && most <= 1e-6 && glm::determinant(r) > 0.0;
+}
+
+Checked checkTexture(const std::string& place, const Texture& texture, int channels) {
+    if (texture.width < 1 || texture.height < 1)
+        return broken("{} is {}x{} texels: it must have some; give the light its texture, or turn the term off", place,
+                      texture.width, texture.height);
+    if (texture.channels < channels)
+        return broken("{} has {} channels: it must have at least {}; add the missing ones", place, texture.channels,
+                      channels);
+    const std::size_t expected = static_cast<std::size_t>(texture.width) * texture.height * texture.channels;
+    if (texture.texels.size() != expected)
+        return broken("{} holds {} values: {}x{} texels of {} channels take {}; give it all of them", place,
+                      texture.texels.size(), texture.width, texture.height, texture.channels, expected);
+    for (std::size_t i = 0; i < expected; ++i)
+        if (!(std::isfinite(texture.texels[i]) && texture.texels[i] >= 0.0f))
+            return broken("{} holds {} at value {}: it must be finite and not negative; mend the image", place,
+                          texture.texels[i], i);
+    return {};
+}
+
+Checked checkLight(const ReferenceLight& reference, std::size_t index, Mode mode) {
+    const Light& light = reference.light;
+    const std::string place = fmt::format("light {}{}", index, light.name.empty() ? "" : " \"" + light.name + "\"");
+    if (!rigid(light.worldFromLight))
+        return broken("{}: worldFromLight must be a finite rotation and translation; take scale and shear out", place);
+    for (const double angle : {light.fov.x, light.fov.y})
+        if (!(angle > 0.0 && angle < std::numbers::pi))
+            return broken("{}: its field of view of {} radians must lie between 0 and pi; correct it", place, angle);
+    if (!(light.nearPlane > 0.0 && light.farPlane > light.nearPlane && std::isfinite(light.farPlane)))
+        return broken("{}: its planes at {} and {} m must be 0 < near < far and finite; correct them", place,
+                      light.nearPlane, light.farPlane);
+    for (const double strength :
+         {light.colour.r, light.colour.g, light.colour.b, light.intensity, light.density, light.ambient})
+        if (!(strength >= 0.0 && std::isfinite(strength)))
+            return broken("{}: a strength of {} must be finite and not negative; correct it", place, strength);
+    for (const glm::dvec4& plane : light.clipPlanes)
+        if (!std::isfinite(plane.x + plane.y + plane.z + plane.w) || glm::length(glm::dvec3(plane)) == 0.0)
+            return broken("{}: a clip plane must be finite and have a normal; correct it", place);
+    if (light.cookie)
+        if (auto checked = checkTexture(place + ": its cookie", reference.cookie, 3); !checked) return checked;
+    if (light.noise)
+        if (auto checked = checkTexture(place + ": its noise", reference.noise, 2); !checked) return checked;
+    if (light.shadow && mode == Mode::Hardware) {
+        if (auto checked = checkTexture(place + ": its shadow map", reference.shadowMap, 1); !checked) return checked;
+        if (reference.shadowMap.width != reference.shadowMap.height || reference.shadowMap.channels != 1)
+            return broken("{}: its shadow map of {}x{} texels and {} channels must be square and of one channel", place,
+                          reference.shadowMap.width, reference.shadowMap.height, reference.shadowMap.channels);
+    }
+    return {};
+}
+
+}  // namespace
+
+Checked checkScene(const ReferenceScene& scene, const ReferenceOptions& options) {
+    if (scene.width < 1 || scene.height < 1)
+        return broken("the picture is {}x{} pixels: it must have some; give both sides 1 or more", scene.width,
+                      scene.height);
+    if (!(options.accuracy >= 1e-12 && options.accuracy <= 1.0))
+        return broken("accuracy is {}: it must lie from 1e-12, which doubles still reach, to 1; 1e-8 is a good choice",
+                      options.accuracy);
+    if (!std::isfinite(scene.time)) return broken("time must be a finite number of seconds");
+    const View& view = scene.view;
+    if (!rigid(view.worldFromView))
+        return broken("the view: worldFromView must be a finite rotation and translation; take scale and shear out");
+    if (!finite(view.clipFromView) || glm::determinant(view.clipFromView) == 0.0)
+        return broken("the view: clipFromView must be finite and invertible; see perspectiveView()");
+    if (!(view.nearPlane > 0.0 && view.farPlane > view.nearPlane))
+        return broken("the view: its planes at {} and {} m must be 0 < near < far; correct them", view.nearPlane,
+                      view.farPlane);
+    if (!scene.depth.texels.empty()) {
+        if (auto checked = checkTexture("the scene's depth", scene.depth, 1); !checked) return checked;
+        if (scene.depth.width != scene.width || scene.depth.height != scene.height || scene.depth.channels != 1)
+            return broken("the scene's depth of {}x{} must be of the picture's size, {}x{}, and of one channel",
+                          scene.depth.width, scene.depth.height, scene.width, scene.height);
+    }
+    if (!(scene.shadowBias >= 0.0 && std::isfinite(scene.shadowBias)))
+        return broken("shadowBias is {} m: it must be finite and not negative", scene.shadowBias);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (auto checked = checkLight(scene.lights[i], i, scene.mode); !checked) return checked;
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+        for (const glm::dvec3& p : {scene.triangles[i].a, scene.triangles[i].b, scene.triangles[i].c})
+            if (!std::isfinite(p.x + p.y + p.z))
+                return broken("triangle {} must have finite corners; mend the mesh", i);
+    return {};
+}
+
+}  // namespace tyndall::study

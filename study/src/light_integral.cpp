@@ -1,0 +1,161 @@
+#include "light_integral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "inverse_square.h"
+
+namespace tyndall::study {
+namespace {
+
+// Phase of a scrolling texture in [0, 1): whole repeats change nothing and would cost digits.
+double phase(double turns) {
+    return turns - std::floor(turns);
+}
+
+TexelPath noisePath(const ReferenceLight& light, const Projected& uv, glm::dvec2 scroll, double time) {
+    const glm::dvec2 scale = light.light.noise->scale;
+    return texelPath(light.noise,
+                     {scaled(uv.u, scale.x, phase(scroll.x * time)), scaled(uv.v, scale.y, phase(scroll.y * time))});
+}
+
+/// Everything that multiplies (I / d^2 + ambient) within a stretch in which no texture changes its cell.
+struct Masks {
+    std::optional<Cell> cookie, noise1, noise2, shadow;
+    std::array<bool, 4> corners{};
+    double gain = 1.0;
+
+    glm::dvec3 at(double s) const {
+        glm::dvec3 mask(1.0);
+        if (shadow) {
+            const std::array<double, 4> weight = shadow->weights(s);
+            double through = 0.0;
+            for (int i = 0; i < 4; ++i) through += corners[i] ? weight[i] : 0.0;
+            mask *= std::max(through, 0.0);  // crossings are rounded: a weight may stick out by one ulp
+        }
+        if (noise1) mask *= gain * noise1->sample(s, 0) * noise2->sample(s, 1);
+        if (cookie) mask *= glm::dvec3(cookie->sample(s, 0), cookie->sample(s, 1), cookie->sample(s, 2));
+        return mask;
+    }
+
+    bool constant() const {
+        return !shadow && (!noise1 || (noise1->uniform(1) && noise2->uniform(2))) && (!cookie || cookie->uniform(3));
+    }
+};
+
+class Integral {
+public:
+    Integral(const ReferenceLight& light, const LightRay& ray, double accuracy)
+        : intensity_(light.light.intensity), ambient_(light.light.ambient), ray_(ray), accuracy_(accuracy) {}
+
+    void add(Span span, const Masks& masks) {
+        if (masks.constant()) {
+            addConstant(span, masks.at(span.middle()));
+            return;
+        }
+        flush();
+        // The angle from the lamp has its corner at the foot: one side at a time.
+        if (span.begin < 0.0 && span.end > 0.0) {
+            addVarying({span.begin, 0.0}, masks);
+            addVarying({0.0, span.end}, masks);
+        } else {
+            addVarying(span, masks);
+        }
+    }
+
+    Quadrature result() {
+        flush();
+        return sum_;
+    }
+
+private:
+    // Neighbours of the same value become one closed form.
+    void addConstant(Span span, const glm::dvec3& value) {
+        if (!pending_.empty() && pending_.end == span.begin && value == value_) {
+            pending_.end = span.end;
+            return;
+        }
+        flush();
+        pending_ = span;
+        value_ = value;
+    }
+
+    void flush() {
+        if (!pending_.empty()) {
+            const double light = intensity_ * inverseSquareIntegral(pending_.begin, pending_.end, ray_.distance) +
+                                 ambient_ * (pending_.end - pending_.begin);
+            sum_.value += value_ * light;
+        }
+        pending_ = {};
+    }
+
+    void addVarying(Span span, const Masks& masks) {
+        const AngleFromLamp angle(span.begin, span.end, ray_.distance);
+        const double h2 = ray_.distance * ray_.distance;
+        const auto integrand = [&](double x) {
+            const double s = angle.at(x);
+            return masks.at(s) * (intensity_ + ambient_ * (h2 + s * s));
+        };
+        Quadrature part = integrate(integrand, 0.0, 1.0, accuracy_);
+        sum_.value += angle.measure() * part.value;
+        sum_.error += angle.measure() * part.error;
+        sum_.evaluations += part.evaluations;
+    }
+
+    double intensity_, ambient_;
+    const LightRay& ray_;
+    double accuracy_;
+    Quadrature sum_;
+    Span pending_;
+    glm::dvec3 value_{0.0};
+};
+
+}  // namespace
+
+TexturePaths texturePaths(const ReferenceLight& light, const LightRay& ray, double time) {
+    const Projected uv = project(light.light, ray);
+    TexturePaths paths{};
+    if (light.light.cookie) paths.cookie = texelPath(light.cookie, uv);
+    if (light.light.noise) {
+        paths.noise1 = noisePath(light, uv, light.light.noise->scroll1, time);
+        paths.noise2 = noisePath(light, uv, light.light.noise->scroll2, time);
+    }
+    return paths;
+}
+
+Quadrature lightIntegral(const ReferenceLight& light, const LightRay& ray, const TexturePaths& paths,
+                         const TexelPath& shadow, const ShadowMap& map, const std::vector<LitSpan>& lit,
+                         double accuracy) {
+    Integral integral(light, ray, accuracy);
+    std::vector<double> places;
+    for (const LitSpan& stretch : lit) {
+        places.assign(1, stretch.span.begin);
+        if (light.light.cookie) addCrossings(places, paths.cookie, light.cookie, Address::Clamp, stretch.span);
+        if (light.light.noise) {
+            addCrossings(places, paths.noise1, light.noise, Address::Wrap, stretch.span);
+            addCrossings(places, paths.noise2, light.noise, Address::Wrap, stretch.span);
+        }
+        places.push_back(stretch.span.end);
+        std::sort(places.begin(), places.end());
+        for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+            const Span span{places[i], places[i + 1]};
+            if (span.empty()) continue;
+            Masks masks;
+            if (light.light.cookie) masks.cookie.emplace(light.cookie, paths.cookie, Address::Clamp, span.middle());
+            if (light.light.noise) {
+                masks.gain = light.light.noise->gain;
+                masks.noise1.emplace(light.noise, paths.noise1, Address::Wrap, span.middle());
+                masks.noise2.emplace(light.noise, paths.noise2, Address::Wrap, span.middle());
+            }
+            if (!stretch.full()) {
+                masks.shadow.emplace(map.stored, shadow, Address::Clamp, span.middle());
+                masks.corners = stretch.corners;
+            }
+            integral.add(span, masks);
+        }
+    }
+    return integral.result();
+}
+
+}  // namespace tyndall::study

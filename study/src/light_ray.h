@@ -1,0 +1,66 @@
+// A view ray in the space of a light, measured from its point nearest to the lamp.
+#pragma once
+
+#include <tyndall/light.h>
+#include <tyndall/view.h>
+
+#include <glm/glm.hpp>
+
+namespace tyndall::study {
+
+/// A stretch of a ray, metres along it; empty where not begin < end.
+struct Span {
+    double begin = 0.0, end = 0.0;
+    bool empty() const { return !(begin < end); }
+    double middle() const { return 0.5 * (begin + end); }
+};
+
+/// A view ray: what the eye sees through one point of the picture.
+struct ViewRay {
+    glm::dvec3 origin;     ///< view space, at depth 0
+    glm::dvec3 direction;  ///< unit length
+    double perDepth;       ///< metres of ray for one metre of view depth
+};
+
+/// Through the point `x`, `y` of a picture of `width` x `height` pixels, (0, 0) its top left corner.
+ViewRay viewRay(const View& view, int width, int height, double x, double y);
+
+/// View depth where the ray meets what a depth buffer holds as `stored`; infinite where it never does.
+double depthOf(const View& view, const ViewRay& ray, double stored);
+
+/// Point(s) = foot + s * direction in light space, where `foot` is nearest to the lamp at the origin. Keeping s
+/// from there, and `foot` exactly across the ray, is what holds the digits of rays that graze the lamp.
+struct LightRay {
+    glm::dvec3 foot, direction;
+    double distance;    ///< of the foot from the lamp, metres
+    double footLength;  ///< metres along the view ray to the foot
+
+    glm::dvec3 at(double s) const { return foot + s * direction; }
+    double axis(double s) const { return -foot.z - s * direction.z; }  ///< metres along the light's axis
+};
+
+LightRay lightRay(const Light& light, const View& view, const ViewRay& ray);
+
+/// What of `span` the light's pyramid and its extra clip planes leave.
+Span clipToLight(const Light& light, const LightRay& ray, Span span);
+
+/// A coordinate of the light's projection along a ray, (n0 + n1 s) / (c0 + c1 s): monotone where the
+/// denominator, the distance along the axis, is positive.
+struct ProjectedCoordinate {
+    double n0, n1, c0, c1;
+
+    double at(double s) const { return (n0 + n1 * s) / (c0 + c1 * s); }
+    /// Where it takes the value k.
+    double crossing(double k) const { return (n0 - k * c0) / (k * c1 - n1); }
+};
+
+/// Image coordinates of a texture that the light projects: u from 0 at light-space -X to 1, v from 0 at +Y.
+struct Projected {
+    ProjectedCoordinate u, v;
+};
+Projected project(const Light& light, const LightRay& ray);
+
+/// factor * coordinate + offset.
+ProjectedCoordinate scaled(const ProjectedCoordinate& coordinate, double factor, double offset);
+
+}  // namespace tyndall::study

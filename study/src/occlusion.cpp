@@ -1,0 +1,136 @@
+#include "occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace tyndall::study {
+namespace {
+
+// Nearer than this share of its length, a ray is taken to pass the lamp at this distance when shadows are looked
+// for: ray and lamp then still span a plane, and every shadow moves by no more than that share.
+constexpr double leastDistance = 1e-9;
+
+// The plane through lamp and ray: coordinates along the ray and across, from the lamp at the origin to the ray.
+struct RayPlane {
+    glm::dvec3 along, across, normal;
+    double distance;
+};
+
+RayPlane rayPlane(const LightRay& ray, Span span) {
+    const double least = leastDistance * std::max(std::abs(span.begin), std::abs(span.end));
+    RayPlane plane{ray.direction, ray.foot, {}, ray.distance};
+    if (plane.distance < least) {
+        const glm::dvec3 d = glm::abs(ray.direction);
+        const glm::dvec3 helper = d.x <= d.y && d.x <= d.z ? glm::dvec3(1, 0, 0)
+                                  : d.y <= d.z             ? glm::dvec3(0, 1, 0)
+                                                           : glm::dvec3(0, 0, 1);
+        plane.across = glm::cross(ray.direction, helper);
+        plane.distance = least;
+    }
+    plane.across = glm::normalize(plane.across);
+    plane.normal = glm::cross(plane.along, plane.across);
+    return plane;
+}
+
+// A piece of a straight line in the plane: (along, across) at both ends, and the axis distance there.
+struct Piece {
+    glm::dvec3 from, to;
+};
+
+// Keeps where the weighted sum of the three coordinates is positive.
+bool keep(Piece& piece, glm::dvec3 weight, double offset) {
+    const double a = glm::dot(weight, piece.from) + offset, b = glm::dot(weight, piece.to) + offset;
+    if (!(a > 0.0) && !(b > 0.0)) return false;
+    if (a > 0.0 && b > 0.0) return true;
+    const glm::dvec3 cut = piece.from + (piece.to - piece.from) * (a / (a - b));
+    (a > 0.0 ? piece.to : piece.from) = cut;
+    return true;
+}
+
+// Where the triangle cuts the plane. A corner that lies in it belongs to one side, so neighbours neither both
+// claim an edge nor both leave it out.
+std::optional<Piece> cut(const RayPlane& plane, const Corners& corners) {
+    std::array<double, 3> side;
+    for (int i = 0; i < 3; ++i) side[i] = glm::dot(plane.normal, corners[i]);
+    std::array<glm::dvec3, 2> ends;
+    int count = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        if ((side[i] < 0.0) == (side[j] < 0.0)) continue;
+        const glm::dvec3 p = corners[i] + (corners[j] - corners[i]) * (side[i] / (side[i] - side[j]));
+        if (count < 2) ends[count++] = {glm::dot(plane.along, p), glm::dot(plane.across, p), -p.z};
+    }
+    if (count < 2) return std::nullopt;
+    return Piece{ends[0], ends[1]};
+}
+
+// The stretch of the ray that the piece hides, empty where it hides none.
+Span shadowOf(Piece piece, const RayPlane& plane, double nearPlane, Span span) {
+    // Between lamp and ray, in front of the near plane, inside the triangle of lamp and span.
+    const double h = plane.distance;
+    if (!keep(piece, {0.0, 0.0, 1.0}, -nearPlane) || !keep(piece, {0.0, -1.0, 0.0}, h) ||
+        !keep(piece, {h, -span.begin, 0.0}, 0.0) || !keep(piece, {-h, span.end, 0.0}, 0.0))
+        return {};
+    const auto onRay = [&](const glm::dvec3& p) { return std::clamp(p.x * h / p.y, span.begin, span.end); };
+    const double from = onRay(piece.from), to = onRay(piece.to);
+    return {std::min(from, to), std::max(from, to)};
+}
+
+std::array<HalfSpace, 5> wedge(const RayPlane& plane, Span span, double reach) {
+    const double h = plane.distance, slack = 1e-12 * reach;
+    return {{
+        {plane.normal, slack},
+        {-plane.normal, slack},
+        {-plane.across, h + slack},
+        {glm::normalize(h * plane.along - span.begin * plane.across), slack},
+        {glm::normalize(-h * plane.along + span.end * plane.across), slack},
+    }};
+}
+
+}  // namespace
+
+TriangleTree occluders(const Light& light, const std::vector<Triangle>& triangles) {
+    const glm::dmat3 lightFromWorld = glm::transpose(glm::dmat3(light.worldFromLight));
+    const glm::dvec3 lamp(light.worldFromLight[3]);
+    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
+    const HalfSpace faces[] = {{{0.0, 0.0, -1.0}, -light.nearPlane}, {{0.0, 0.0, 1.0}, light.farPlane},
+                               {{1.0, 0.0, -slope.x}, 0.0},          {{-1.0, 0.0, -slope.x}, 0.0},
+                               {{0.0, 1.0, -slope.y}, 0.0},          {{0.0, -1.0, -slope.y}, 0.0}};
+    std::vector<Corners> kept;
+    for (const Triangle& triangle : triangles) {
+        const Corners corners{lightFromWorld * (triangle.a - lamp), lightFromWorld * (triangle.b - lamp),
+                              lightFromWorld * (triangle.c - lamp)};
+        const bool out = std::any_of(std::begin(faces), std::end(faces), [&](const HalfSpace& face) {
+            return std::all_of(corners.begin(), corners.end(),
+                               [&](const glm::dvec3& p) { return glm::dot(face.normal, p) + face.offset < 0.0; });
+        });
+        if (!out) kept.push_back(corners);
+    }
+    return TriangleTree(std::move(kept));
+}
+
+void litSpans(std::vector<LitSpan>& lit, const TriangleTree& occluders, double nearPlane, const LightRay& ray,
+              Span span) {
+    if (span.empty()) return;
+    const RayPlane plane = rayPlane(ray, span);
+    const double reach = plane.distance + std::max(std::abs(span.begin), std::abs(span.end));
+    thread_local std::vector<std::uint32_t> found;
+    thread_local std::vector<Span> dark;
+    found.clear();
+    dark.clear();
+    occluders.find(wedge(plane, span, reach), found);
+    for (const std::uint32_t index : found)
+        if (const auto piece = cut(plane, occluders.triangles()[index]))
+            if (const Span shadow = shadowOf(*piece, plane, nearPlane, span); !shadow.empty()) dark.push_back(shadow);
+
+    std::sort(dark.begin(), dark.end(), [](const Span& a, const Span& b) { return a.begin < b.begin; });
+    double open = span.begin;
+    for (const Span& shadow : dark) {
+        if (open < shadow.begin) lit.push_back({{open, shadow.begin}});
+        open = std::max(open, shadow.end);
+    }
+    if (open < span.end) lit.push_back({{open, span.end}});
+}
+
+}  // namespace tyndall::study

@@ -1,0 +1,72 @@
+#include "pixel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "light_integral.h"
+#include "occlusion.h"
+
+namespace tyndall::study {
+namespace {
+
+// What sums, roots and divisions of doubles leave over, a few ulp for each of some dozen steps; nothing here is
+// subtracted from anything of its own size, and no term is negative, so it stays relative.
+constexpr double rounding = 64.0 * 0x1p-53;
+
+}  // namespace
+
+PreparedScene prepare(const ReferenceScene& scene) {
+    const bool ideal = scene.mode == Mode::Ideal;
+    PreparedScene prepared{scene, Surfaces(scene.view, ideal ? scene.triangles : std::vector<Triangle>{}), {}, {}};
+    for (const ReferenceLight& light : scene.lights) {
+        const bool shadow = light.light.shadow;
+        prepared.occluders.push_back(ideal && shadow ? occluders(light.light, scene.triangles) : TriangleTree());
+        // A bias of all of the near plane would put points behind the lamp; plan() stops before, too.
+        const double bias = std::min(scene.shadowBias, 0.99 * light.light.nearPlane);
+        prepared.shadowMaps.push_back(!ideal && shadow ? shadowMap(light.light, light.shadowMap, bias) : ShadowMap());
+    }
+    return prepared;
+}
+
+Span visible(const PreparedScene& prepared, const ViewRay& ray, int x, int y) {
+    const ReferenceScene& scene = prepared.scene;
+    Span span{scene.view.nearPlane * ray.perDepth, scene.view.farPlane * ray.perDepth};
+    if (scene.mode == Mode::Ideal)
+        span.end = std::min(span.end, prepared.surfaces.firstHit(ray, span.begin, span.end));
+    else if (!scene.depth.texels.empty())
+        span.end =
+            std::min(span.end, depthOf(scene.view, ray, static_cast<double>(scene.depth.at(x, y, 0))) * ray.perDepth);
+    return span;
+}
+
+Pixel integratePixel(const PreparedScene& prepared, int x, int y, double accuracy) {
+    const ReferenceScene& scene = prepared.scene;
+    const ViewRay view = viewRay(scene.view, scene.width, scene.height, x + 0.5, y + 0.5);
+    const Span seen = visible(prepared, view, x, y);
+    Pixel pixel;
+    std::vector<LitSpan> lit;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const ReferenceLight& light = scene.lights[i];
+        const LightRay ray = lightRay(light.light, scene.view, view);
+        const Span span = clipToLight(light.light, ray, {seen.begin - ray.footLength, seen.end - ray.footLength});
+        if (span.empty()) continue;
+        const TexelPath shadow = texelPath(prepared.shadowMaps[i].stored, project(light.light, ray));
+        lit.clear();
+        if (!light.light.shadow)
+            lit.push_back({span});
+        else if (scene.mode == Mode::Ideal)
+            litSpans(lit, prepared.occluders[i], light.light.nearPlane, ray, span);
+        else
+            litSpans(lit, prepared.shadowMaps[i], shadow, ray, span);
+        const Quadrature integral = lightIntegral(light, ray, texturePaths(light, ray, scene.time), shadow,
+                                                  prepared.shadowMaps[i], lit, accuracy);
+        const glm::dvec3 scatter = light.light.colour * (light.light.density / (4.0 * std::numbers::pi));
+        pixel.radiance += scatter * integral.value;
+        pixel.error += scatter * (integral.error + rounding * integral.value);
+        pixel.evaluations += integral.evaluations;
+    }
+    return pixel;
+}
+
+}  // namespace tyndall::study

@@ -1,0 +1,106 @@
+#include <study/reference.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "check_scene.h"
+#include "pixel.h"
+
+namespace tyndall::study {
+namespace {
+
+constexpr auto progressEvery = std::chrono::milliseconds(100);
+
+/// Rows handed out to threads; the calling thread waits and reports.
+class Rows {
+public:
+    Rows(int count, unsigned threads, const std::function<void(int)>& work) : count_(count), work_(work) {
+        for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
+    }
+
+    /// False where `progress` stopped the work. Rethrows what a row threw.
+    bool wait(const std::function<bool(double)>& progress) {
+        bool wanted = true;
+        {
+            std::unique_lock lock(mutex_);
+            while (finished_ < threads_.size()) {
+                changed_.wait_for(lock, progressEvery);
+                lock.unlock();
+                if (wanted && progress && !progress(static_cast<double>(done_.load()) / count_)) {
+                    wanted = false;
+                    next_ = count_;
+                }
+                lock.lock();
+            }
+        }
+        threads_.clear();
+        if (thrown_) std::rethrow_exception(thrown_);
+        return wanted;
+    }
+
+private:
+    void run() {
+        try {
+            for (int row = next_++; row < count_; row = next_++) {
+                work_(row);
+                ++done_;
+            }
+        } catch (...) {
+            const std::scoped_lock lock(mutex_);
+            thrown_ = std::current_exception();
+            next_ = count_;
+        }
+        const std::scoped_lock lock(mutex_);
+        ++finished_;
+        changed_.notify_one();
+    }
+
+    int count_;
+    const std::function<void(int)>& work_;
+    std::atomic<int> next_ = 0, done_ = 0;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::size_t finished_ = 0;
+    std::exception_ptr thrown_;
+    std::vector<std::jthread> threads_;  // last: they use the rest
+};
+
+}  // namespace
+
+tl::expected<ReferenceImage, std::string> reference(const ReferenceScene& scene, const ReferenceOptions& options) {
+    if (auto checked = checkScene(scene, options); !checked) return tl::unexpected(checked.error());
+    const PreparedScene prepared = prepare(scene);
+
+    ReferenceImage image;
+    image.width = scene.width;
+    image.height = scene.height;
+    image.radiance.resize(static_cast<std::size_t>(scene.width) * scene.height);
+    image.bound.resize(image.radiance.size());
+    std::vector<std::uint64_t> evaluations(static_cast<std::size_t>(scene.height));
+    const std::function<void(int)> row = [&](int y) {
+        for (int x = 0; x < scene.width; ++x) {
+            const Pixel pixel = integratePixel(prepared, x, y, options.accuracy);
+            const std::size_t at = static_cast<std::size_t>(y) * scene.width + x;
+            image.radiance[at] = pixel.radiance;
+            for (int c = 0; c < 3; ++c)
+                if (pixel.radiance[c] > 0.0)
+                    image.bound[at] = std::max(image.bound[at], pixel.error[c] / pixel.radiance[c]);
+            evaluations[static_cast<std::size_t>(y)] += pixel.evaluations;
+        }
+    };
+    const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+    Rows rows(scene.height,
+              std::min(options.threads > 0 ? options.threads : processors, static_cast<unsigned>(scene.height)), row);
+    if (!rows.wait(options.progress)) return tl::unexpected<std::string>("interrupted");
+
+    image.largestBound = *std::max_element(image.bound.begin(), image.bound.end());
+    for (const std::uint64_t count : evaluations) image.evaluations += count;
+    return image;
+}
+
+}  // namespace tyndall::study

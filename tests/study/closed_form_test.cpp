@@ -1,0 +1,206 @@
+// The reference against integrals that have a closed form, computed here in long double from planes in world
+// space: nothing is shared with the reference but the formula.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "oracle_volume.h"
+#include "scenes.h"
+#include "study_scene.h"
+
+namespace tyndall::test {
+namespace {
+
+using Real = long double;
+constexpr Real fourPi = 12.566370614359172953850573533118L;
+
+struct Piece {
+    Real begin = oneRayNear, end = 1e4L;
+    bool empty() const { return !(begin < end); }
+};
+
+// Keeps where normal . (p + t d) + offset >= 0.
+Piece cutBy(Piece piece, glm::dvec3 p, glm::dvec3 d, glm::dvec3 normal, Real offset) {
+    Real at = offset, slope = 0;
+    for (int i = 0; i < 3; ++i) {
+        at += static_cast<Real>(normal[i]) * static_cast<Real>(p[i]);
+        slope += static_cast<Real>(normal[i]) * static_cast<Real>(d[i]);
+    }
+    if (slope > 0) piece.begin = std::max(piece.begin, -at / slope);
+    if (slope < 0) piece.end = std::min(piece.end, -at / slope);
+    if (slope == 0 && at < 0) piece.end = piece.begin;
+    return piece;
+}
+
+Piece inVolume(const Light& light, glm::dvec3 p, glm::dvec3 d) {
+    Piece piece;
+    for (const HalfSpace& plane : lightVolume(light, glm::dmat4(1.0)))
+        piece = cutBy(piece, p, d, plane.normal, static_cast<Real>(plane.offset));
+    return piece;
+}
+
+// Integral of I / |p + t d - lamp|^2 + ambient over the piece, times density / (4 pi).
+Real scattered(const Light& light, glm::dvec3 p, glm::dvec3 d, Piece piece) {
+    if (piece.empty()) return 0;
+    const glm::dvec3 from = p - glm::dvec3(light.worldFromLight[3]);
+    Real foot = 0, hh = 0;
+    for (int i = 0; i < 3; ++i) foot -= static_cast<Real>(from[i]) * static_cast<Real>(d[i]);
+    for (int i = 0; i < 3; ++i) {
+        const Real across = static_cast<Real>(from[i]) + foot * static_cast<Real>(d[i]);
+        hh += across * across;
+    }
+    const Real h = std::sqrt(hh);
+    const Real lamp = (std::atan((piece.end - foot) / h) - std::atan((piece.begin - foot) / h)) / h;
+    return static_cast<Real>(light.density) / fourPi *
+           (static_cast<Real>(light.intensity) * lamp + static_cast<Real>(light.ambient) * (piece.end - piece.begin));
+}
+
+// Long doubles leave 1e-17 or so here; the reference some 64 half-ulps of double, and its unit vectors one.
+constexpr double tolerance = 1e-12;
+
+void expectNear(double value, Real exact) {
+    EXPECT_NEAR(value, static_cast<double>(exact), tolerance * static_cast<double>(exact));
+}
+
+TEST(ClosedForm, UnmaskedPyramidFromAnySide) {
+    Random random(1);
+    int lit = 0;
+    for (int i = 0; i < 500; ++i) {
+        Light light = plainLight();
+        const glm::dvec3 lamp = 3.0 * direction(random);
+        light.worldFromLight = lookAlong(lamp, direction(random), uniform(random, 0.0, 6.0));
+        light.ambient = uniform(random, 0.0, 2.0);
+        if (i % 2 == 0) light.clipPlanes = {glm::dvec4(3.0 * direction(random), 1.0)};
+        const glm::dvec3 p = lamp + uniform(random, 0.1, 6.0) * direction(random);
+        const glm::dvec3 inside =
+            glm::dvec3(light.worldFromLight * glm::dvec4(uniform(random, -1, 1), uniform(random, -1, 1), -2.0, 1.0));
+        const glm::dvec3 d = glm::normalize(inside - p);
+        const Real exact = scattered(light, p, d, inVolume(light, p, d));
+        const double value = radianceOf(oneRay(light, p, d)).x;
+        expectNear(value, exact);
+        lit += exact > 0;
+    }
+    EXPECT_GT(lit, 300);
+}
+
+// An edge at x = 0.3 in the plane 1.5 m before the lamp; all beyond it and to its right is dark.
+TEST(ClosedForm, HalfSpaceOccluder) {
+    Light light = plainLight();
+    light.shadow = true;
+    light.ambient = 0.4;
+    Random random(2);
+    int cut = 0;
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 p(uniform(random, -4, 4), uniform(random, -2, 2), uniform(random, -6, 2));
+        const glm::dvec3 d = glm::normalize(
+            glm::dvec3(uniform(random, -1.5, 1.5), uniform(random, -1, 1), uniform(random, -3.5, -0.6)) - p);
+        study::ReferenceScene scene = oneRay(light, p, d);
+        scene.triangles = pane({0.3, -50, -1.5}, {50, -50, -1.5}, {50, 50, -1.5}, {0.3, 50, -1.5});
+        // Rays end where they meet the pane.
+        Piece seen = inVolume(light, p, d);
+        const double t = (-1.5 - p.z) / d.z;
+        if (t > 0.0 && p.x + t * d.x > 0.3) seen.end = std::min(seen.end, static_cast<Real>(t));
+        Piece dark = cutBy(seen, p, d, {0, 0, -1}, -1.5L);
+        dark = cutBy(dark, p, d, {1.0, 0.0, 0.2}, 0);  // x >= 0.2 * axis
+        const Real exact = scattered(light, p, d, seen) - scattered(light, p, d, dark);
+        const double value = radianceOf(scene).x;
+        const double whole = static_cast<double>(scattered(light, p, d, seen));
+        EXPECT_NEAR(value, static_cast<double>(exact), 1e-11 * whole) << i;
+        cut += !dark.empty() && exact > 0;
+    }
+    EXPECT_GT(cut, 50);
+}
+
+// Mapped shadows, in a plane through the lamp: u stands still, so the filter's weight is one number.
+TEST(ClosedForm, ShadowMapFiltersWhatItCompares) {
+    Light light = plainLight();
+    light.shadow = true;
+    light.fov.x = 1.5707963267948966;  // u = 0.5 + x / (2 axis)
+    const double blockedAt = 1.5;
+    study::Texture map{8, 8, 1, std::vector<float>(64, 0.0f)};
+    const double stored =
+        light.nearPlane * (light.farPlane - blockedAt) / (blockedAt * (light.farPlane - light.nearPlane));
+    for (int y = 0; y < 8; ++y)
+        for (int x = 4; x < 8; ++x) map.texels[8 * y + x] = static_cast<float>(stored);
+    const double reach = light.nearPlane * light.farPlane /
+                         (light.nearPlane + static_cast<double>(map.texels[4]) * (light.farPlane - light.nearPlane));
+    for (const double u : {0.30, 0.44, 0.5, 0.53, 0.56, 0.7})
+        for (const double bias : {0.0, 0.02}) {
+            // From above, down through the axis, within the plane x = (2 u - 1) axis.
+            const glm::dvec3 p(0.0, 1.0, 0.0), d = glm::normalize(glm::dvec3(2.0 * u - 1.0, -0.55, -1.0));
+            study::ReferenceScene scene = oneRay(light, p, d);
+            scene.mode = study::Mode::Hardware;
+            scene.shadowBias = bias;
+            scene.lights[0].shadowMap = map;
+            const Piece whole = inVolume(light, p, d);
+            const Piece beyond = cutBy(whole, p, d, {0, 0, -1}, -static_cast<Real>(reach + bias));
+            ASSERT_FALSE(beyond.empty());
+            const double open = std::clamp(1.0 - (8.0 * u - 0.5 - 3.0), 0.0, 1.0);
+            expectNear(radianceOf(scene).x,
+                       scattered(light, p, d, whole) - (1 - static_cast<Real>(open)) * scattered(light, p, d, beyond));
+        }
+}
+
+TEST(ClosedForm, ConstantTexturesAreFactors) {
+    const glm::dvec3 p(3.0, 1.0, -1.0), d = glm::normalize(glm::dvec3(-1.0, -0.4, -0.3));
+    Light light = plainLight();
+    light.colour = {1.0, 0.5, 0.25};
+    const double plain = radianceOf(oneRay(light, p, d)).x;
+    study::ReferenceScene scene = oneRay(light, p, d);
+    scene.time = 12.5;
+    scene.lights[0].light.cookie = true;
+    scene.lights[0].cookie = {2, 2, 3, {0.5f, 0.25f, 1.0f, 0.5f, 0.25f, 1.0f, 0.5f, 0.25f, 1.0f, 0.5f, 0.25f, 1.0f}};
+    scene.lights[0].light.noise = Noise{};
+    scene.lights[0].light.noise->gain = 3.0;
+    scene.lights[0].noise = {1, 1, 2, {0.5f, 0.75f}};
+    const glm::dvec3 value = radianceOf(scene), factor = glm::dvec3(0.5, 0.25, 1.0) * 3.0 * 0.5 * 0.75;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], plain * light.colour[c] * factor[c], 1e-13 * plain) << c;
+}
+
+// Linear ramps of cookie and noise along v, in even light of ambient alone, with the axis held constant: every
+// mask is a polynomial of the way, and the integral elementary.
+TEST(ClosedForm, BilinearRamps) {
+    Light light = plainLight();
+    light.intensity = 0.0;
+    light.ambient = 2.0;
+    light.fov = {1.5707963267948966, 1.5707963267948966};
+    light.cookie = true;
+    Noise noise;
+    noise.scale = {1.0, 1.0};
+    noise.scroll1 = noise.scroll2 = {0.0, 0.0};
+    noise.gain = 5.0;
+    light.noise = noise;
+    // At axis 2 the picture spans 4 m; v = 0.5 - y / 4 goes from 0.25 to 0.75 as y goes from 1 to -1.
+    study::ReferenceScene scene = oneRay(light, {0.0, 1.0, -2.0}, {0.0, -1.0, 0.0});
+    scene.lights[0].light.clipPlanes = {{0.0, 1.0, 0.0, 1.0}};
+    scene.view.nearPlane = 1e-9;
+    scene.lights[0].cookie = {1, 2, 3, {0.0f, 0.5f, 1.0f, 1.0f, 0.5f, 0.0f}};  // centres at v = 0.25 and 0.75
+    scene.lights[0].noise = {1, 2, 2, {1.0f, 0.0f, 0.0f, 1.0f}};
+    const glm::dvec3 value = radianceOf(scene, 1e-12);
+    // With w in [0, 1] along 2 m: cookie (w, 1/2, 1 - w), noise 5 (1 - w) w; integrals of w^2 (1 - w) etc.
+    const double base = light.density / static_cast<double>(fourPi) * light.ambient * 2.0 * 5.0;
+    EXPECT_NEAR(value.r, base / 12.0, 1e-8 * base);  // the near plane's nanometre
+    EXPECT_NEAR(value.g, base / 12.0, 1e-8 * base);
+    EXPECT_NEAR(value.b, base / 12.0, 1e-8 * base);
+}
+
+// Rays that graze the lamp, out to where h is no longer resolved. The limit is 1/a - 1/b.
+TEST(ClosedForm, IsStableNextToTheLight) {
+    Light light = plainLight();
+    for (double h = 1e-2; h > 1e-17; h *= 0.1) {
+        const double value = radianceOf(oneRay(light, {h, 0.0, 5.0}, {0.0, 0.0, -1.0})).x;
+        const double limit = light.density / static_cast<double>(fourPi) * light.intensity * (1.0 / 0.5 - 1.0 / 4.0);
+        EXPECT_NEAR(value, limit, limit * (h * h / 0.25 + 1e-12)) << h;
+    }
+    // Seen through the lamp, shadows stand where they stood: a disc half way leaves what is before it.
+    light.shadow = true;
+    for (double h = 1e-2; h > 1e-17; h *= 0.1) {
+        study::ReferenceScene scene = oneRay(light, {h, 0.0, 5.0}, {0.0, 0.0, -1.0});
+        scene.triangles = pane({-1, -1, -2}, {1, -1, -2}, {1, 1, -2}, {-1, 1, -2});
+        const double limit = light.density / static_cast<double>(fourPi) * light.intensity * (1.0 / 0.5 - 1.0 / 2.0);
+        EXPECT_NEAR(radianceOf(scene).x, limit, limit * (h * h / 0.25 + 1e-8)) << h;
+    }
+}
+
+}  // namespace
+}  // namespace tyndall::test
