@@ -18,6 +18,7 @@ int fails(int status, const std::string& sentence) {
 Outcome<Said> run(const Request& request) {
     if (const auto* options = std::get_if<RenderOptions>(&request)) return render(*options);
     if (const auto* options = std::get_if<ExplainOptions>(&request)) return explain(*options);
+    if (const auto* options = std::get_if<CompareOptions>(&request)) return compare(*options);
     return Said{std::get<Help>(request).text, {}};
 }
 
@@ -30,9 +31,9 @@ int main(int argc, char** argv) try {
     if (!said) return fails(1, said.error());
     for (const std::string& note : said->notes) fmt::print(stderr, "tyndall: {}\n", note);
     fmt::print("{}", said->output);
-    return 0;
+    return said->verdict ? fails(1, *said->verdict) : 0;
 } catch (const std::bad_alloc&) {
-    return fails(1, "there is not enough memory; take a smaller --size or a smaller scene");
+    return fails(1, "there is not enough memory; take a smaller picture or a smaller scene");
 } catch (const std::exception& unforeseen) {
     return fails(1, unforeseen.what());
 }

@@ -57,6 +57,21 @@ struct ExplainOptions {
     bool json = false;
 };
 
+/// What a picture may be off by; absent: anything.
+struct Limits {
+    std::optional<double> relativeL2, relativeMeanSquare, absolute, energy, deadZone;
+    std::optional<int> run;
+};
+
+struct CompareOptions {
+    std::string image, reference;
+    bool json = false;
+    std::optional<std::string> difference;
+    std::optional<double> differenceScale;  ///< absent: the largest difference
+    double bandingThreshold = 1e-3;
+    Limits most;
+};
+
 /// "640x360". Errors: anything else, a side of 0 or over longestSide.
 Outcome<Size> parseSize(const std::string& text);
 

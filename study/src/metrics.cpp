@@ -1,21 +1,120 @@
 #include <study/metrics.h>
 
 #include <cmath>
+#include <limits>
+
+#include "exact_sum.h"
 
 namespace tyndall::study {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Of the reference's root mean square: below it a value counts as nearly black.
+constexpr double darkShare = 0.01;
+
+Place placeOf(const FloatImage& image, std::size_t index) {
+    const std::size_t pixel = index / image.channels;
+    return {static_cast<int>(pixel % image.width), static_cast<int>(pixel / image.width),
+            static_cast<int>(index % image.channels)};
+}
+
+tl::expected<void, std::string> check(const FloatImage& image, const char* what) {
+    const auto problem = [what](const std::string& text) { return tl::unexpected(std::string(what) + " " + text); };
+    if (image.width < 1 || image.height < 1 || image.channels < 1) return problem("has no pixels");
+    const std::size_t values = static_cast<std::size_t>(image.width) * image.height * image.channels;
+    if (image.values.size() != values)
+        return problem("holds " + std::to_string(image.values.size()) + " values, but its size says " +
+                       std::to_string(values));
+    return {};
+}
+
+tl::expected<void, std::string> checkAlike(const FloatImage& image, const FloatImage& reference) {
+    if (auto checked = check(image, "the image"); !checked) return checked;
+    if (auto checked = check(reference, "the reference"); !checked) return checked;
+    const auto size = [](const FloatImage& of) { return std::to_string(of.width) + "x" + std::to_string(of.height); };
+    if (image.width != reference.width || image.height != reference.height)
+        return tl::unexpected("the image is " + size(image) + " pixels and the reference " + size(reference) +
+                              "; make them in one size");
+    if (image.channels != reference.channels)
+        return tl::unexpected("the image has " + std::to_string(image.channels) + " channels and the reference " +
+                              std::to_string(reference.channels) + "; write both with the same ones");
+    return {};
+}
+
+template <class Visit>
+void forEachFinitePair(const FloatImage& image, const FloatImage& reference, Visit&& visit) {
+    for (std::size_t k = 0; k < image.values.size(); ++k)
+        if (std::isfinite(image.values[k]) && std::isfinite(reference.values[k]))
+            visit(k, static_cast<double>(image.values[k]), static_cast<double>(reference.values[k]));
+}
+
+/// Of two sums; 0 / 0 is 0: nothing is wrong with nothing.
+double ratio(double part, double whole) {
+    if (whole != 0.0) return part / whole;
+    return part == 0.0 ? 0.0 : std::copysign(infinity, part);
+}
+
+double relativeMeanSquare(const FloatImage& image, const FloatImage& reference, double referenceMeanSquare,
+                          double squaredError, std::uint64_t compared) {
+    if (referenceMeanSquare == 0.0) return ratio(squaredError, 0.0);
+    const double dark = darkShare * darkShare * referenceMeanSquare;
+    ExactSum sum;
+    forEachFinitePair(image, reference,
+                      [&](std::size_t, double i, double r) { sum.add((i - r) * (i - r) / (r * r + dark)); });
+    return sum.value() / static_cast<double>(compared);
+}
+
+}  // namespace
 
 NonFinite countNonFinite(const FloatImage& image) {
     NonFinite found;
-    for (std::size_t i = 0; i < image.values.size(); ++i) {
-        const float value = image.values[i];
+    for (std::size_t k = 0; k < image.values.size(); ++k) {
+        const float value = image.values[k];
         if (std::isfinite(value)) continue;
         ++(std::isnan(value) ? found.nan : found.infinite);
-        if (found.first) continue;
-        const std::size_t pixel = i / image.channels;
-        found.first = Place{static_cast<int>(pixel % image.width), static_cast<int>(pixel / image.width),
-                            static_cast<int>(i % image.channels)};
+        if (!found.first) found.first = placeOf(image, k);
     }
     return found;
+}
+
+tl::expected<Metrics, std::string> compare(const FloatImage& image, const FloatImage& reference,
+                                           const MetricOptions& options) {
+    if (auto checked = checkAlike(image, reference); !checked) return tl::unexpected(checked.error());
+    Metrics metrics;
+    metrics.width = image.width;
+    metrics.height = image.height;
+    metrics.channels = image.channels;
+    metrics.image = countNonFinite(image);
+    metrics.reference = countNonFinite(reference);
+
+    ExactSum difference, squaredDifference, light, squaredLight;
+    forEachFinitePair(image, reference, [&](std::size_t k, double i, double r) {
+        const double error = i - r;
+        difference.add(error);
+        squaredDifference.add(error * error);
+        light.add(r);
+        squaredLight.add(r * r);
+        if (metrics.compared++ == 0 || std::abs(error) > metrics.maximumAbsolute) {
+            metrics.maximumAbsolute = std::abs(error);
+            metrics.worst = {placeOf(image, k), i, r};
+        }
+        if (i == 0.0 && r != 0.0) {
+            if (metrics.deadZone.count++ == 0 || std::abs(r) > std::abs(metrics.deadZone.largest.reference))
+                metrics.deadZone.largest = {placeOf(image, k), i, r};
+        }
+    });
+    if (metrics.compared == 0) return metrics;
+
+    const auto count = static_cast<double>(metrics.compared);
+    const double squaredError = squaredDifference.value();
+    metrics.relativeL2 = std::sqrt(ratio(squaredError, squaredLight.value()));
+    metrics.relativeMeanSquare =
+        relativeMeanSquare(image, reference, squaredLight.value() / count, squaredError, metrics.compared);
+    metrics.meanDifference = difference.value() / count;
+    metrics.energy = ratio(metrics.meanDifference, light.value() / count);
+    metrics.deadZone.share = static_cast<double>(metrics.deadZone.count) / count;
+    metrics.banding = findBanding(image, reference, options.bandingThreshold);
+    return metrics;
 }
 
 }  // namespace tyndall::study

@@ -68,7 +68,56 @@ TEST(Command, OutputExtensionUnknown) {
 }
 
 TEST(Command, NothingAsked) {
-    expectRefusal(runTyndall({}), wrongCommandLine, "subcommand");
+    expectRefusal(runTyndall({}), wrongCommandLine, "render, explain, compare");
+}
+
+TEST(Command, UnknownNamesTheKnown) {
+    expectRefusal(runTyndall({"rendre", "scene.glb"}), wrongCommandLine, "no command \"rendre\"; take one of render");
+}
+
+TEST(Command, Version) {
+    const ProgramRun run = runTyndall({"--version"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.output, "tyndall " TYNDALL_VERSION "\n");
+    EXPECT_EQ(run.errors, "");
+}
+
+TEST(Command, ExposureDoesNothingToRadiance) {
+    expectRefusal(runTyndall({"render", "scene.glb", "-o", "picture.exr", "--exposure", "1"}), wrongCommandLine,
+                  "--exposure: picture.exr holds radiance");
+}
+
+TEST(Command, CompareChecksItsNumbers) {
+    for (const char* option : {"--max-relative-l2", "--max-energy", "--max-dead-zone", "--banding-threshold"})
+        for (const char* value : {"-1", "nan", "inf"})
+            expectRefusal(runTyndall({"compare", "a.exr", "b.exr", std::string(option) + "=" + value}),
+                          wrongCommandLine, option);
+    expectRefusal(runTyndall({"compare", "a.exr", "b.exr", "--max-run=-1"}), wrongCommandLine, "--max-run");
+    expectRefusal(runTyndall({"compare", "a.exr", "b.exr", "--difference", "d.jpg"}), wrongCommandLine, "nor .exr");
+    expectRefusal(runTyndall({"compare", "a.exr", "b.exr", "--difference-scale", "1"}), wrongCommandLine,
+                  "--difference OUT.png");
+    expectRefusal(runTyndall({"compare", "a.exr"}), wrongCommandLine, "reference is required");
+}
+
+TEST(Command, ALinkIsFollowedToTheFileItNames) {
+    const std::string target = freshPath("target.png"), link = freshPath("link.png");
+    std::filesystem::create_symlink(target, link);
+    const std::string scene = writeScene(wallScene());
+    for (const char* size : {"4x3", "6x5"}) {  // where nothing is yet, and over what is there
+        const ProgramRun run = runTyndall({"render", scene, "-o", link, "--size", size});
+        ASSERT_EQ(run.status, 0) << run.errors;
+        EXPECT_TRUE(std::filesystem::is_symlink(link));
+        EXPECT_EQ(readPixels(target).width, size[0] - '0');
+    }
+    EXPECT_EQ(neighbours(link), std::vector<std::string>{"link.png"});
+    EXPECT_EQ(neighbours(target), std::vector<std::string>{"target.png"});
+    expectRefusal(runTyndall({"render", scene, "-o", target, "--stats", link}), failed, "picture's file");
+}
+
+TEST(Command, ALinkThatLeadsNowhereIsRefused) {
+    const std::string link = freshPath("link.png");
+    std::filesystem::create_symlink(link, link);
+    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", link}), failed, "round in a circle");
 }
 
 TEST(Command, HelpIsNoError) {

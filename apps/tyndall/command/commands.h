@@ -1,19 +1,24 @@
 // The program's commands, after the command line was understood. They return; main() prints and exits.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "../options.h"
 
 namespace tyndall::app {
 
-/// What a command has to say: `output` is its result (standard output), `notes` go beside it.
+/// What a command has to say: `output` is its result (standard output), `notes` go beside it. `verdict`, where
+/// there is one, says what the result fails: the work was done, and its answer is no.
 struct Said {
     std::string output;
     std::vector<std::string> notes;
+    std::optional<std::string> verdict = std::nullopt;
 };
 
 Outcome<Said> render(const RenderOptions& options);
 Outcome<Said> explain(const ExplainOptions& options);
+Outcome<Said> compare(const CompareOptions& options);
 
 }  // namespace tyndall::app

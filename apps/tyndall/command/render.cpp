@@ -14,11 +14,8 @@ namespace {
 /// Statistics must not take the place of the scene or of the picture.
 Outcome<void> checkStatistics(const std::string& stats, const RenderOptions& options) {
     if (auto open = checkWritable(stats); !open) return open;
-    std::error_code ignored;  // what does not exist yet is no other file
-    if (std::filesystem::equivalent(stats, options.view.scene, ignored))
-        return fail("--stats: {} is the scene; name another file", stats);
-    if (std::filesystem::weakly_canonical(stats, ignored) == std::filesystem::weakly_canonical(options.output, ignored))
-        return fail("--stats: {} is the picture's file; name another one", stats);
+    if (sameFile(stats, options.view.scene)) return fail("--stats: {} is the scene; name another file", stats);
+    if (sameFile(stats, options.output)) return fail("--stats: {} is the picture's file; name another one", stats);
     return {};
 }
 

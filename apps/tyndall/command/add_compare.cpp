@@ -1,0 +1,55 @@
+#include <cmath>
+
+#include "../image/write_picture.h"
+#include "add_options.h"
+
+namespace tyndall::app {
+
+void addCompare(CLI::App& app, CompareOptions& options) {
+    app.add_option("image", options.image, "picture to judge, OpenEXR or PNG")->required()->type_name("IMAGE");
+    app.add_option("reference", options.reference, "picture that is right, of the same size and channels")
+        ->required()
+        ->type_name("REFERENCE");
+    app.add_flag("--json", options.json, "as JSON");
+    addOptional(app, "--difference", options.difference, "OUT",
+                "picture of image - reference to write: .exr signed, .png blue (darker) over white to red (brighter)");
+    addOptional(app, "--difference-scale", options.differenceScale, "D",
+                "difference that a .png shows in full colour; the largest");
+    app.add_option("--banding-threshold", options.bandingThreshold,
+                   "relative change of the reference over equal values from which they are a band; 0.001")
+        ->type_name("T");
+    Limits& most = options.most;
+    addOptional(app, "--max-relative-l2", most.relativeL2, "E", "fail above this relative L2 error");
+    addOptional(app, "--max-relative-mean-square", most.relativeMeanSquare, "E",
+                "fail above this relative mean square error");
+    addOptional(app, "--max-absolute", most.absolute, "E", "fail where any value is off by more");
+    addOptional(app, "--max-energy", most.energy, "E", "fail where the mean is off by more than this share of it");
+    addOptional(app, "--max-run", most.run, "N", "fail where a band is longer than this many pixels");
+    addOptional(app, "--max-dead-zone", most.deadZone, "R", "fail where a reference value above this became 0");
+}
+
+Outcome<void> checkCompare(const CompareOptions& options) {
+    if (options.difference && !pictureFormat(*options.difference))
+        return fail("--difference: {} is neither .png nor .exr; give the picture one of these extensions",
+                    *options.difference);
+    const auto check = [](const char* name, std::optional<double> value) -> Outcome<void> {
+        if (!value || (*value >= 0.0 && std::isfinite(*value))) return {};
+        return fail("{}: must be a number from 0", name);
+    };
+    const Limits& most = options.most;
+    for (const auto& [name, value] :
+         {std::pair("--max-relative-l2", most.relativeL2),
+          std::pair("--max-relative-mean-square", most.relativeMeanSquare), std::pair("--max-absolute", most.absolute),
+          std::pair("--max-energy", most.energy), std::pair("--max-dead-zone", most.deadZone),
+          std::pair("--banding-threshold", std::optional(options.bandingThreshold))})
+        if (auto checked = check(name, value); !checked) return checked;
+    if (most.run && *most.run < 0) return fail("--max-run: must be a number of pixels from 0");
+    if (!options.differenceScale) return {};
+    if (!(*options.differenceScale > 0.0 && std::isfinite(*options.differenceScale)))
+        return fail("--difference-scale: must be above 0");
+    if (!options.difference || pictureFormat(*options.difference) != PictureFormat::Png)
+        return fail("--difference-scale: only a .png has a scale; add --difference OUT.png");
+    return {};
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,59 @@
+// How options are declared to the command line's parser: helpers, and the groups that commands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "../options.h"
+#include "words.h"
+
+namespace tyndall::app {
+
+/// An option that takes one of a list of words.
+template <class T, std::size_t N>
+CLI::Option* addChoice(CLI::App& app, const char* name, T& value, const Words<T, N>& words, const std::string& help) {
+    std::map<std::string, T> meanings;
+    std::string list;
+    for (const auto& [word, meaning] : words) {
+        meanings.emplace(word, meaning);
+        list += (list.empty() ? "" : ", ") + std::string(word);
+    }
+    return app
+        .add_option_function<std::string>(
+            name,
+            [&value, meanings, list, name](const std::string& text) {
+                const auto found = meanings.find(text);
+                if (found == meanings.end())
+                    throw CLI::ValidationError(fmt::format("{}: \"{}\" is none of {}", name, text, list));
+                value = found->second;
+            },
+            fmt::format("{}: {}", help, list))
+        ->type_name("NAME");
+}
+
+template <class T>
+CLI::Option* addOptional(CLI::App& app, const char* name, std::optional<T>& value, const char* type, const char* help) {
+    return app
+        .add_option_function<T>(
+            name, [&value](const T& given) { value = given; }, help)
+        ->type_name(type);
+}
+
+/// Scene, camera, size and time. `size` is as written; checkView() reads it.
+void addViewOptions(CLI::App& app, ViewOptions& view, std::string& size);
+Outcome<void> checkView(ViewOptions& view, const std::string& size);
+
+void addShadowSize(CLI::App& app, std::uint32_t& size);
+Outcome<void> checkShadowSize(std::uint32_t size);
+
+// Each command's own: options as written, and whether they make sense together.
+void addRender(CLI::App& app, RenderOptions& options, std::string& size);
+Outcome<void> checkRender(RenderOptions& options, bool outputGiven);
+void addExplain(CLI::App& app, ExplainOptions& options, std::string& size);
+Outcome<void> checkShafts(const ShaftOptions& options);
+void addCompare(CLI::App& app, CompareOptions& options);
+Outcome<void> checkCompare(const CompareOptions& options);
+
+}  // namespace tyndall::app

@@ -1,0 +1,76 @@
+#include <cmath>
+#include <filesystem>
+
+#include "../image/write_picture.h"
+#include "add_options.h"
+
+namespace tyndall::app {
+namespace {
+
+void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts) {
+    addChoice(app, "--layer", view.layer, layerWords, "what to draw");
+    addOptional(app, "--technique", shafts.technique, "NAME", "technique of slices.fx for every light");
+    addChoice(app, "--accum", shafts.accumulation, accumulationWords, "where slices are added up");
+    app.add_option("--planes", shafts.planes, "slices a light, 1 to 65536; 100")->type_name("N");
+    addChoice(app, "--geometry", shafts.geometry, geometryWords, "how slices become triangles");
+    addChoice(app, "--look", shafts.look, lookWords, "constants that weigh a slice");
+    addOptional(app, "--range", shafts.range, "R",
+                "radiance that 8-bit targets call 1; estimated from above from the lights");
+    addShadowSize(app, shafts.shadowSize);
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, RenderOptions& options, std::string& size) {
+    addViewOptions(app, options.view, size);
+    addShafts(app, options.view, options.shafts);
+    app.add_option("-o,--output", options.output, "picture to write, .png (tone-mapped) or .exr (linear)")
+        ->type_name("IMAGE");
+    addOptional(app, "--exposure", options.exposure, "EV",
+                "stops by which a .png is brightened; from the picture's log-average");
+    addOptional(app, "--stats", options.stats, "FILE.json", "what was drawn, and what it took");
+    app.add_flag("--validate", options.validate, "fail on any message of Vulkan's validation layers");
+}
+
+void addExplain(CLI::App& app, ExplainOptions& options, std::string& size) {
+    addViewOptions(app, options.view, size);
+    addShafts(app, options.view, options.shafts);
+    app.add_flag("--json", options.json, "as JSON");
+}
+
+Outcome<void> checkShafts(const ShaftOptions& shafts) {
+    if (shafts.planes < 1 || shafts.planes > 65536)
+        return fail("--planes: {} is out of bounds; take from 1 to 65536", shafts.planes);
+    if (shafts.accumulation == Accumulation::Rgba8Routed && shafts.planes % 4 != 0)
+        return fail(
+            "--planes: {} slices cannot be spread evenly over four channels; with --accum rgba8-routed take a "
+            "multiple of 4",
+            shafts.planes);
+    if (auto checked = checkShadowSize(shafts.shadowSize); !checked) return checked;
+    if (shafts.range && !(*shafts.range > 0.0 && std::isfinite(*shafts.range)))
+        return fail("--range: must be a radiance above 0");
+    return shafts.technique ? checkTechnique(*shafts.technique) : Outcome<void>{};
+}
+
+Outcome<void> checkRender(RenderOptions& options, bool outputGiven) {
+    if (auto checked = checkShafts(options.shafts); !checked) return checked;
+    if (outputGiven && options.output.empty())
+        return fail("-o: the picture's name is empty; give one, or leave -o out");
+    if (options.output.empty())
+        options.output = std::filesystem::path(options.view.scene).stem().string() +
+                         (options.view.layer == Layer::Shafts ? ".exr" : ".png");
+    const auto format = pictureFormat(options.output);
+    if (!format)
+        return fail("-o: {} is neither .png nor .exr; give the picture one of these extensions", options.output);
+    if (options.view.layer == Layer::Shafts && *format != PictureFormat::Exr)
+        return fail("-o: {} cannot hold --layer shafts, which is radiance without limits; write an .exr",
+                    options.output);
+    if (options.exposure && !(std::abs(*options.exposure) <= 64.0))
+        return fail("--exposure: must lie between -64 and 64 stops");
+    if (options.exposure && *format == PictureFormat::Exr)
+        return fail("--exposure: {} holds radiance as it is, without exposure; leave it out, or write a .png",
+                    options.output);
+    return {};
+}
+
+}  // namespace tyndall::app

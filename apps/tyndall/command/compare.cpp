@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+
+#include "../image/difference.h"
+#include "../image/write_picture.h"
+#include "commands.h"
+#include "compare_report.h"
+
+namespace tyndall::app {
+namespace {
+
+Outcome<void> checkDifference(const std::string& path, const CompareOptions& options) {
+    for (const std::string& input : {options.image, options.reference})
+        if (sameFile(path, input)) return fail("--difference: {} is {} itself; name another file", path, input);
+    return checkWritable(path);
+}
+
+/// Returns what the picture shows.
+Outcome<std::string> writeDifference(const std::string& path, const Comparison& comparison,
+                                     const CompareOptions& options) {
+    const study::FloatImage signedDifference = difference(comparison.image.image, comparison.reference.image);
+    if (pictureFormat(path) == PictureFormat::Exr) {
+        if (auto done = writeFloats(path, signedDifference, comparison.image.channels); !done)
+            return tl::unexpected(done.error());
+        return fmt::format("wrote {}: image - reference", path);
+    }
+    const double largest = comparison.metrics.maximumAbsolute;
+    const double scale = options.differenceScale.value_or(largest > 0.0 ? largest : 1.0);
+    const auto width = static_cast<std::uint32_t>(signedDifference.width);
+    const auto height = static_cast<std::uint32_t>(signedDifference.height);
+    if (auto done = writeBytes(path, width, height, divergingColours(signedDifference, scale)); !done)
+        return tl::unexpected(done.error());
+    return fmt::format("wrote {}: from blue, darker by {:g}, over white to red, brighter by {:g}", path, scale, scale);
+}
+
+}  // namespace
+
+Outcome<Said> compare(const CompareOptions& options) {
+    if (options.difference)
+        if (auto checked = checkDifference(*options.difference, options); !checked)
+            return tl::unexpected(checked.error());
+    Comparison comparison;
+    auto image = readPicture(options.image);
+    if (!image) return tl::unexpected(image.error());
+    auto reference = readPicture(options.reference);
+    if (!reference) return tl::unexpected(reference.error());
+    comparison.image = std::move(*image);
+    comparison.reference = std::move(*reference);
+    auto metrics = study::compare(comparison.image.image, comparison.reference.image,
+                                  {.bandingThreshold = options.bandingThreshold});
+    if (!metrics) return fail("{} cannot be compared with {}: {}", options.image, options.reference, metrics.error());
+    comparison.metrics = *metrics;
+
+    Said said;
+    if (options.difference) {
+        auto written = writeDifference(*options.difference, comparison, options);
+        if (!written) return tl::unexpected(written.error());
+        said.notes.push_back(std::move(*written));
+    }
+    said.output = options.json ? compareReport(comparison, options).dump(2) + "\n" : compareText(comparison, options);
+    said.verdict = verdict(comparison, options);
+    return said;
+}
+
+}  // namespace tyndall::app

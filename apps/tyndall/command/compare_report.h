@@ -1,0 +1,28 @@
+// The figures of a comparison as JSON and as text, and what they fail.
+#pragma once
+
+#include <study/metrics.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "../image/read_picture.h"
+#include "../options.h"
+
+namespace tyndall::app {
+
+struct Comparison {
+    ReadPicture image, reference;
+    study::Metrics metrics;
+};
+
+/// Infinite figures are null: JSON has no infinity.
+nlohmann::ordered_json compareReport(const Comparison& comparison, const CompareOptions& options);
+
+std::string compareText(const Comparison& comparison, const CompareOptions& options);
+
+/// One sentence that names each figure out of bounds with its pixel; values that are not finite are always.
+std::optional<std::string> verdict(const Comparison& comparison, const CompareOptions& options);
+
+}  // namespace tyndall::app

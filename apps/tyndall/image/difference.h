@@ -1,0 +1,21 @@
+// What separates an image from its reference, as a picture.
+#pragma once
+
+#include <study/metrics.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "../outcome.h"
+
+namespace tyndall::app {
+
+/// image - reference, value by value, as floats; of one size and number of channels. NaN where either is.
+study::FloatImage difference(const study::FloatImage& image, const study::FloatImage& reference);
+
+/// RGB bytes of a difference: each pixel shows its channel that is farthest from 0, linearly from white for 0
+/// to full red for +scale (the image is brighter) and full blue for -scale, and magenta where it is not
+/// finite. `scale` > 0; what lies beyond is shown as it.
+std::vector<std::uint8_t> divergingColours(const study::FloatImage& difference, double scale);
+
+}  // namespace tyndall::app

@@ -1,0 +1,25 @@
+// Pictures to be compared, out of OpenEXR and PNG files.
+#pragma once
+
+#include <study/metrics.h>
+
+#include <string>
+#include <vector>
+
+#include "../outcome.h"
+
+namespace tyndall::app {
+
+struct ReadPicture {
+    study::FloatImage image;            ///< linear
+    std::vector<std::string> channels;  ///< names, in the image's order
+    std::string encoding;               ///< "32-bit float", or how values became linear; for people
+};
+
+/// By content, whatever the extension. EXR: half or float, scanlines or tiles (the finest level), values as
+/// they are. PNG: 8 or 16 bits, colour and grey decoded from sRGB, alpha left alone and not multiplied in.
+/// Errors, each with the path: no such file, neither format, broken; an EXR that is deep, has several parts,
+/// channels of whole numbers, or a data window that is not its display window; a side over longestSide.
+Outcome<ReadPicture> readPicture(const std::string& path);
+
+}  // namespace tyndall::app
