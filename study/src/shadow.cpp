@@ -43,15 +43,15 @@ void appendCell(std::vector<LitSpan>& lit, const ShadowMap& map, const TexelPath
 }  // namespace
 
 ShadowMap shadowMap(const Light& light, Texture stored, double bias) {
-    // stored = n (f - a) / (a (f - n)), so a = n f / (n + stored (f - n)). An empty texel (0) hides nothing,
-    // beyond the far plane neither; a full one (1) hides everything.
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // stored = n (f - a) / (a (f - n)), so a = n f / (n + stored (f - n)): the far plane for an empty texel (0),
+    // which hides nothing. A full one (1) hides everything.
     const double n = light.nearPlane, f = light.farPlane;
     ShadowMap map;
     map.reach.reserve(stored.texels.size());
     for (const float texel : stored.texels) {
         const double depth = static_cast<double>(texel);
-        map.reach.push_back(depth <= 0.0 ? infinity : depth >= 1.0 ? -infinity : n * f / (n + depth * (f - n)) + bias);
+        map.reach.push_back(depth < 1.0 ? n * f / (n + depth * (f - n)) + bias
+                                        : -std::numeric_limits<double>::infinity());
     }
     map.stored = std::move(stored);
     return map;

@@ -21,8 +21,7 @@ struct LitSpan {
 /// A shadow map with its stored depths turned back into metres along the light's axis.
 struct ShadowMap {
     Texture stored;
-    std::vector<double> reach;  ///< by texel: what lies at or before this axis distance is lit; infinite where
-                                ///< everything is, minus infinity where nothing is
+    std::vector<double> reach;  ///< by texel: what lies at or before this axis distance is lit
 };
 
 /// `stored` reversed depth, as lightClipFromLight() projects it; `bias` metres.
