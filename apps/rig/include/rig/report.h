@@ -1,0 +1,49 @@
+// The page of failures: one folder for each failing comparison, and one index.html made of all of them.
+//
+//   FOLDER/index.html                         every failure, pictures side by side; needs nothing else
+//   FOLDER/entries/KEY/entry.json             what failed, by how much, and the command that shows it again
+//   FOLDER/entries/KEY/image.exr, .png        what was drawn
+//   FOLDER/entries/KEY/expected.exr, .png     what should have been, where that is known
+//   FOLDER/entries/KEY/difference.exr, .png   |image - expected|
+//
+// Several processes may report into one folder at a time: a lock is held while an entry and the page are
+// written, and readers of the page never meet half of one.
+#pragma once
+
+#include <rig/image.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tyndall::rig {
+
+/// Which comparison it is: the four together are unique in a folder. `pass` may be empty.
+struct Subject {
+    std::string effect, technique, pass;
+    std::string check;  ///< "golden", "oracle, seen from the side"
+};
+
+struct Failure {
+    Subject subject;
+    std::vector<std::pair<std::string, std::string>> constants;  ///< {"bCookie", "true"}: the permutation's switches
+    std::string reason;                                          ///< one sentence
+    std::string command;                                         ///< a shell command that runs this again
+};
+
+/// Adds or replaces the failure's entry and rebuilds the page. Either image may be null.
+/// Errors: the folder cannot be written.
+Outcome<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
+                            const Image* expected);
+
+/// Removes what an earlier run reported of this comparison, and rebuilds the page where that was something.
+/// Makes no folder.
+Outcome<void> reportPass(const std::string& folder, const Subject& subject);
+
+/// The folder name of the subject's entry: readable, and different for different subjects.
+std::string entryKey(const Subject& subject);
+
+/// `words` as one line for a POSIX shell, quoted where they have to be.
+std::string shellCommand(const std::vector<std::string>& words);
+
+}  // namespace tyndall::rig

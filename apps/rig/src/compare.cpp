@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+#include <rig/compare.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <glm/gtc/packing.hpp>
+#include <limits>
+
+namespace tyndall::rig {
+namespace {
+
+constexpr double floatShare = 2e-5;
+constexpr double byteMost = 3.0, byteUsual = 1.0, byteRareShare = 0.001;
+/// Far more than dividing by 255 loses in binary32, far less than a step.
+constexpr double byteSlack = 1e-4;
+
+struct Place {
+    int x, y, channel;
+};
+
+Place placeOf(const Image& image, std::size_t i) {
+    const std::size_t pixel = i / image.channels;
+    return {static_cast<int>(pixel % image.width), static_cast<int>(pixel / image.width),
+            static_cast<int>(i % image.channels)};
+}
+
+std::string words(const Image& image, std::size_t i) {
+    const Place at = placeOf(image, i);
+    return fmt::format("pixel ({}, {}), channel {}", at.x, at.y, at.channel);
+}
+
+/// binary16 in an order in which neighbours differ by 1, with both zeros at 0.
+int halfOrdinal(float value) {
+    const std::uint16_t bits = glm::packHalf1x16(value);
+    const int magnitude = bits & 0x7fff;
+    return (bits & 0x8000) != 0 ? -magnitude : magnitude;
+}
+
+std::string whyNotExact(const Image& image, const Image& expected) {
+    const Difference apart = difference(image, expected);
+    if (apart.differing == 0) return {};
+    return fmt::format(
+        "{} of {} values are not the same bits; the largest difference is {:.6g} at ({}, {}), channel {}",
+        apart.differing, image.values.size(), apart.largest, apart.x, apart.y, apart.channel);
+}
+
+std::string whyNotFloat(const Image& image, const Image& expected) {
+    std::array<double, 4> brightest{};
+    for (std::size_t i = 0; i < expected.values.size(); ++i) {
+        double& most = brightest[i % expected.channels];
+        most = std::max(most, std::abs(static_cast<double>(expected.values[i])));
+    }
+    std::size_t beyond = 0, worst = 0;
+    double excess = 0.0;
+    for (std::size_t i = 0; i < image.values.size(); ++i) {
+        const double apart = std::abs(static_cast<double>(image.values[i]) - expected.values[i]);
+        const double allowed = floatShare * brightest[i % image.channels];
+        if (apart <= allowed) continue;
+        ++beyond;
+        const double share = apart / std::max(allowed, std::numeric_limits<double>::min());
+        if (share > excess) {
+            excess = share;
+            worst = i;
+        }
+    }
+    if (beyond == 0) return {};
+    return fmt::format(
+        "{} of {} values are off by more than {:.0e} of their channel's largest ({:.6g}); the worst is {:.9g} instead "
+        "of {:.9g} at {}",
+        beyond, image.values.size(), floatShare, brightest[worst % image.channels], image.values[worst],
+        expected.values[worst], words(image, worst));
+}
+
+std::string whyNotHalf(const Image& image, const Image& expected) {
+    std::size_t beyond = 0, worst = 0;
+    int most = 1;
+    for (std::size_t i = 0; i < image.values.size(); ++i) {
+        const int apart = std::abs(halfOrdinal(image.values[i]) - halfOrdinal(expected.values[i]));
+        beyond += apart > 1;
+        if (apart > most) {
+            most = apart;
+            worst = i;
+        }
+    }
+    if (beyond == 0) return {};
+    return fmt::format(
+        "{} of {} values are more than 1 half ULP off; the worst, by {}, is {:.6g} instead of {:.6g} at {}", beyond,
+        image.values.size(), most, image.values[worst], expected.values[worst], words(image, worst));
+}
+
+std::string whyNotByte(const Image& image, const Image& expected) {
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * image.height;
+    std::size_t unusual = 0, worst = 0;
+    double most = 0.0;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        double here = 0.0;
+        for (int c = 0; c < image.channels; ++c) {
+            const std::size_t i = pixel * image.channels + c;
+            const double apart = 255.0 * std::abs(static_cast<double>(image.values[i]) - expected.values[i]);
+            here = std::max(here, apart);
+            if (apart > most) {
+                most = apart;
+                worst = i;
+            }
+        }
+        unusual += here > byteUsual + byteSlack;
+    }
+    if (most > byteMost + byteSlack)
+        return fmt::format("a value is {:.3g}/255 off, where {}/255 is the most: {:.6g} instead of {:.6g} at {}", most,
+                           byteMost, image.values[worst], expected.values[worst], words(image, worst));
+    if (static_cast<double>(unusual) > byteRareShare * static_cast<double>(pixels))
+        return fmt::format(
+            "{} of {} pixels are off by more than {}/255, where {:.1f} % may be; the worst by {:.3g}/255 at {}",
+            unusual, pixels, byteUsual, 100.0 * byteRareShare, most, words(image, worst));
+    return {};
+}
+
+}  // namespace
+
+NotFinite notFinite(const Image& image) {
+    NotFinite found;
+    for (std::size_t i = 0; i < image.values.size(); ++i) {
+        const float value = image.values[i];
+        if (std::isfinite(value)) continue;
+        if (found.count() == 0) {
+            const Place at = placeOf(image, i);
+            found.x = at.x;
+            found.y = at.y;
+            found.channel = at.channel;
+        }
+        ++(std::isnan(value) ? found.nan : found.infinite);
+    }
+    return found;
+}
+
+Difference difference(const Image& image, const Image& expected) {
+    Difference apart;
+    double squares = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < image.values.size(); ++i) {
+        const float a = image.values[i], b = expected.values[i];
+        apart.differing += std::bit_cast<std::uint32_t>(a) != std::bit_cast<std::uint32_t>(b);
+        if (!std::isfinite(a) || !std::isfinite(b)) continue;
+        const double d = std::abs(static_cast<double>(a) - b);
+        squares += d * d;
+        whole += static_cast<double>(b) * b;
+        if (d > apart.largest) {
+            const Place at = placeOf(image, i);
+            apart.largest = d;
+            apart.x = at.x;
+            apart.y = at.y;
+            apart.channel = at.channel;
+        }
+    }
+    if (squares > 0.0) apart.relativeL2 = std::sqrt(squares / whole);
+    return apart;
+}
+
+std::string whyNotFinite(const Image& image) {
+    const NotFinite found = notFinite(image);
+    if (found.count() == 0) return {};
+    return fmt::format("{} values are NaN and {} are infinite, the first at ({}, {}), channel {}", found.nan,
+                       found.infinite, found.x, found.y, found.channel);
+}
+
+std::string whyDifferent(const Image& image, const Image& expected, Tolerance tolerance) {
+    if (const std::string reason = whyNotFinite(image); !reason.empty()) return reason;
+    if (const std::string reason = whyNotFinite(expected); !reason.empty())
+        return "the expected image itself is no measure: " + reason;
+    if (!image.sameShape(expected))
+        return fmt::format("the image has {} x {} pixels of {} channels, and {} x {} of {} are expected", image.width,
+                           image.height, image.channels, expected.width, expected.height, expected.channels);
+    switch (tolerance) {
+        case Tolerance::Exact:
+            return whyNotExact(image, expected);
+        case Tolerance::Float:
+            return whyNotFloat(image, expected);
+        case Tolerance::Half:
+            return whyNotHalf(image, expected);
+        case Tolerance::Byte:
+            return whyNotByte(image, expected);
+    }
+    return "there is no such tolerance";
+}
+
+}  // namespace tyndall::rig

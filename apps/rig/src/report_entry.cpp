@@ -1,0 +1,83 @@
+#include "report_entry.h"
+
+#include <rig/compare.h>
+#include <write_files.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "display.h"
+
+namespace tyndall::rig {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json figures(const Image* image, const Image* expected) {
+    Json json = Json::object();
+    if (image) {
+        const NotFinite bad = notFinite(*image);
+        json["size"] = {image->width, image->height};
+        json["nan"] = bad.nan;
+        json["infinite"] = bad.infinite;
+        if (bad.count() > 0) json["first_not_finite"] = {{"pixel", {bad.x, bad.y}}, {"channel", bad.channel}};
+    }
+    if (image && expected && image->sameShape(*expected)) {
+        const Difference apart = difference(*image, *expected);
+        json["largest_difference"] = apart.largest;
+        json["largest_difference_at"] = {{"pixel", {apart.x, apart.y}}, {"channel", apart.channel}};
+        // JSON has no infinity; over a black picture there is nothing to be relative to.
+        json["relative_l2"] = std::isfinite(apart.relativeL2) ? Json(apart.relativeL2) : Json(nullptr);
+        json["differing_values"] = apart.differing;
+    }
+    return json;
+}
+
+struct Panel {
+    std::string name;
+    const Image* image;
+    std::vector<std::uint8_t> rgb;
+};
+
+Outcome<void> writePanel(const std::filesystem::path& folder, const Panel& panel) {
+    if (auto written = writeExr((folder / (panel.name + ".exr")).string(), *panel.image); !written) return written;
+    return writePng((folder / (panel.name + ".png")).string(), panel.image->width, panel.image->height, panel.rgb);
+}
+
+}  // namespace
+
+Outcome<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
+                         const Image* expected) {
+    const double white = whitePoint(image, expected);
+    Json json = {{"effect", failure.subject.effect}, {"technique", failure.subject.technique},
+                 {"pass", failure.subject.pass},     {"check", failure.subject.check},
+                 {"reason", failure.reason},         {"command", failure.command}};
+    Json constants = Json::object();
+    for (const auto& [name, value] : failure.constants) constants[name] = value;
+    json["constants"] = std::move(constants);
+    json["figures"] = figures(image, expected);
+
+    std::vector<Panel> panels;
+    Image apart;
+    if (image) panels.push_back({"image", image, displayed(*image, white)});
+    if (expected) panels.push_back({"expected", expected, displayed(*expected, white)});
+    if (image && expected && image->sameShape(*expected)) {
+        apart = absoluteDifference(*image, *expected);
+        const double most = difference(*image, *expected).largest;
+        panels.push_back({"difference", &apart, heatMap(apart, std::max(most, 1e-300))});
+    }
+    Json pictures = Json::array();
+    for (const Panel& panel : panels) {
+        if (auto written = writePanel(folder, panel); !written) return written;
+        pictures.push_back(panel.name);
+    }
+    json["pictures"] = std::move(pictures);
+    json["white"] = white;
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    if (const std::string why = permgen::write_files({{(folder / "entry.json").string(), text}}); !why.empty())
+        return tl::unexpected(why);
+    return {};
+}
+
+}  // namespace tyndall::rig
