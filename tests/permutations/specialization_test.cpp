@@ -1,6 +1,7 @@
-// One module with its constants set, against a module of one's own without the dead code: the same picture.
+// One module with its constants set, against a module of one's own without the dead code: the same picture. And
+// the same again whenever it is drawn.
 #include "draw.h"
-#include "permutation.h"
+#include "judge.h"
 
 namespace tyndall::test {
 namespace {
@@ -9,26 +10,44 @@ class SpecializationTest : public GpuTest, public testing::WithParamInterface<Pe
 
 INSTANTIATE_TEST_SUITE_P(SlicesFx, SpecializationTest, testing::ValuesIn(permutations()), PermutationName());
 
-DrawOptions withSharedModule() {
+Drawing drawByName(const Permutation& permutation, bool article, Shaders shaders) {
+    Shot shot = sideView();
+    shot.article = article;
     DrawOptions options;
-    options.shaders = Shaders::Specialized;
-    return options;
+    options.technique = permutation.technique->name;
+    options.shaders = shaders;
+    return draw(shot, options);
+}
+
+void expectSame(const Permutation& permutation, const std::string& check, const Drawing& drawing,
+                const Drawing& expected) {
+    EXPECT_GT(litPixels(expected.sum), 500);
+    const rig::Image image = imageOf(drawing.sum), other = imageOf(expected.sum);
+    judge(permutation, check, rig::whyDifferent(image, other, rig::Tolerance::Exact), image, &other);
 }
 
 TEST_P(SpecializationTest, DrawsWhatTheFrozenModuleDrawsBitForBit) {
-    const Shot shot = shotFor(GetParam(), sideView());
-    const Drawing frozen = draw(shot);
-    const Drawing specialized = draw(shot, withSharedModule());
-    ASSERT_EQ(whyNotFinite(frozen.sum), "");
-    EXPECT_GT(litPixels(frozen.sum), 500);
-    EXPECT_TRUE(frozen.sum.pixels == specialized.sum.pixels)
-        << "largest difference " << largestDifference(frozen.sum, specialized.sum);
+    for (const bool article : {false, true})
+        expectSame(GetParam(), article ? "specialized against frozen, article" : "specialized against frozen",
+                   drawByName(GetParam(), article, Shaders::Specialized),
+                   drawByName(GetParam(), article, Shaders::Frozen));
+}
+
+TEST_P(SpecializationTest, DrawsTheSameTwice) {
+    for (const bool article : {false, true})
+        for (const Shaders shaders : {Shaders::Frozen, Shaders::Specialized})
+            expectSame(GetParam(),
+                       std::string(shaders == Shaders::Frozen ? "frozen" : "specialized") + " run against run" +
+                           (article ? ", article" : ""),
+                       drawByName(GetParam(), article, shaders), drawByName(GetParam(), article, shaders));
 }
 
 // Vulkan counts what the shared module declares as used: all of it is bound, the rest to neutral textures.
 TEST_P(SpecializationTest, BindsWhatTheSharedModuleDeclares) {
-    const Drawing drawing = draw(shotFor(GetParam(), sideView()), withSharedModule());
-    EXPECT_EQ(drawing.counters.descriptorsPushed, 4u);
+    DrawOptions options;
+    options.shaders = Shaders::Specialized;
+    const Drawing drawing = draw(shotFor(GetParam(), sideView()), options);
+    EXPECT_EQ(drawing.counters.descriptorsPushed, effectTables().resources.size());
 }
 
 }  // namespace

@@ -70,9 +70,13 @@ Interval drift(const FragmentContext& context, const LightPoint& point, int chan
                         coordinate(point.v, noise.scale.y, scroll.y));
 }
 
+Interval evenDust(const Shot& shot) {
+    return constant(shot.article ? 0.015 : 1.0);
+}
+
 Interval dust(const FragmentContext& context, const LightPoint& point) {
     const Shot& shot = context.shot;
-    if (!shot.light.noise) return constant(shot.article ? 0.015 : 1.0);
+    if (!shot.light.noise) return evenDust(shot);
     const double gain = shot.article ? 0.05 : shot.light.noise->gain;
     return constant(gain) * drift(context, point, 0) * drift(context, point, 1);
 }
@@ -200,6 +204,19 @@ Seen coverage(const FragmentContext& context, int x, int y, double depth) {
         if (stored - slack < surface) seen = Seen::Maybe;
     }
     return seen;
+}
+
+Masks masks(const FragmentContext& context, int x, int y, double depth) {
+    const Shot& shot = context.shot;
+    const Ray ray = pixelRay(shot, x + 0.5, y + 0.5);
+    const LightPoint point = project(context, ray.origin + ray.perMetre * depth);
+    Masks masks{kOne, kOne, {kOne, kOne, kOne}};
+    if (shot.light.noise) masks.noise = dust(context, point) / evenDust(shot);
+    if (shot.light.shadow) masks.shadow = lightThrough(context, point);
+    if (shot.light.cookie)
+        for (int c = 0; c < 3; ++c)
+            masks.cookie[c] = sampleLinear(shot.cookieMap, c, Address::Clamp, point.u, point.v);
+    return masks;
 }
 
 std::array<Interval, 4> radiance(const FragmentContext& context, int x, int y, double depth) {

@@ -27,6 +27,14 @@ enum class Seen { No, Maybe, Yes };
 /// Whether the slice at `depth` metres covers the centre of a pixel, in front of the scene.
 Seen coverage(const FragmentContext& context, int x, int y, double depth);
 
+/// What the terms of the shot leave of the light at one point: 1 where the shot lacks the term. Noise is
+/// relative to the air of a shot without it.
+struct Masks {
+    Interval noise, shadow;
+    std::array<Interval, 3> cookie;
+};
+Masks masks(const FragmentContext& context, int x, int y, double depth);
+
 /// Radiance that the fragment adds where it is seen; the fourth is the grey value.
 std::array<Interval, 4> radiance(const FragmentContext& context, int x, int y, double depth);
 

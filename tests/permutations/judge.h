@@ -1,0 +1,34 @@
+// Verdicts on a permutation's pictures, which leave their evidence in the report.
+#pragma once
+
+#include <rig/golden.h>
+#include <rig/image.h>
+
+#include <string>
+
+#include "permutation.h"
+#include "picture.h"
+
+namespace tyndall::test {
+
+rig::Image imageOf(const Picture& picture);
+
+/// The middle of what is allowed.
+rig::Image imageOf(const std::vector<Allowed>& allowed, int width, int height);
+
+/// Where `reason` is empty the comparison has passed: an earlier run's evidence is removed. Else the running test
+/// fails with the technique's name, and its pictures go to the report, with the command that runs this test again.
+/// The report is the folder that TYNDALL_REPORT names, or the build folder's `report`. `check` is unique for the
+/// permutation. `expected` may be null.
+void judge(const Permutation& permutation, const std::string& check, const std::string& reason,
+           const rig::Image& image, const rig::Image* expected);
+
+/// Against the golden of that name in tests/permutations/goldens. TYNDALL_UPDATE_GOLDENS=1 makes it anew, and fails.
+void judgeGolden(const Permutation& permutation, const std::string& name, const rig::Image& image,
+                 rig::Tolerance tolerance);
+
+/// Against what the oracle allows.
+void judgeOracle(const Permutation& permutation, const std::string& check, const Picture& picture, double scale,
+                 const std::vector<Allowed>& allowed);
+
+}  // namespace tyndall::test

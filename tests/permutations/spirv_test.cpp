@@ -1,0 +1,80 @@
+// Every module that slices.fx comes out as is valid, and names the resources that its tables say: read from the
+// SPIR-V by a reader of the test's own.
+#include <gtest/gtest.h>
+#include <slices.fx.h>
+#include <validate.h>
+
+#include <map>
+#include <set>
+
+#include "permutation.h"
+
+namespace tyndall::test {
+namespace {
+
+struct Slot {
+    std::uint32_t set = 0, binding = 0;
+    auto operator<=>(const Slot&) const = default;
+};
+
+/// The descriptor slots of variables that instructions of the module's functions name: SPIR-V specification 1.6,
+/// section 2.3, with OpDecorate 71, its decorations Binding 33 and DescriptorSet 34, OpVariable 59, OpFunction 54.
+std::set<Slot> slotsUsed(std::span<const std::uint32_t> code) {
+    std::map<std::uint32_t, Slot> slots;
+    std::set<std::uint32_t> bound, used;
+    bool inFunction = false;
+    for (std::size_t at = 5; at < code.size(); at += code[at] >> 16) {
+        const std::uint32_t opcode = code[at] & 0xffff, length = code[at] >> 16;
+        if (length == 0 || at + length > code.size()) throw std::runtime_error("torn SPIR-V");
+        inFunction = inFunction || opcode == 54;
+        if (opcode == 71 && code[at + 2] == 33) {
+            slots[code[at + 1]].binding = code[at + 3];
+            bound.insert(code[at + 1]);
+        }
+        if (opcode == 71 && code[at + 2] == 34) slots[code[at + 1]].set = code[at + 3];
+        // Any operand equal to the id counts; a literal that happens to equal it can only add a slot.
+        for (std::uint32_t i = 1; inFunction && i < length; ++i)
+            if (bound.contains(code[at + i])) used.insert(code[at + i]);
+    }
+    std::set<Slot> result;
+    for (const std::uint32_t id : used) result.insert(slots[id]);
+    return result;
+}
+
+class SpirvTest : public testing::TestWithParam<Permutation> {};
+
+INSTANTIATE_TEST_SUITE_P(SlicesFx, SpirvTest, testing::ValuesIn(permutations()), PermutationName());
+
+TEST(Spirv, SharedModulesAreValid) {
+    for (const permgen::Module* module : slices::effect.modules) {
+        ASSERT_FALSE(module->code.empty()) << module->name;
+        EXPECT_EQ(permgen::validate_spirv(module->code), "") << module->name;
+    }
+}
+
+TEST_P(SpirvTest, FrozenModulesAreValidAndUseExactlyWhatIsLive) {
+    for (const permgen::Pass& pass : GetParam().technique->passes) {
+        std::set<Slot> live, used;
+        for (const permgen::Resource* resource : pass.live) live.insert({resource->set, resource->binding});
+        for (const permgen::Shader* shader : {&pass.vertex, &pass.pixel}) {
+            if (!shader->module) continue;
+            ASSERT_FALSE(shader->frozen.empty()) << shader->module->name;
+            EXPECT_EQ(permgen::validate_spirv(shader->frozen), "") << shader->module->name;
+            used.merge(slotsUsed(shader->frozen));
+        }
+        EXPECT_EQ(used, live) << pass.name;
+    }
+}
+
+// The name says what the technique is for, its switches what it does.
+TEST_P(SpirvTest, ItsSwitchesAreWhatItsNameSays) {
+    const Permutation& one = GetParam();
+    for (const permgen::Constant& constant : one.pass().pixel.constants) {
+        if (constant.name == "bScrollingNoise") EXPECT_EQ(constant.bits != 0, one.noise);
+        if (constant.name == "bShadowMapping") EXPECT_EQ(constant.bits != 0, one.shadow);
+        if (constant.name == "bCookie") EXPECT_EQ(constant.bits != 0, one.cookie);
+    }
+}
+
+}  // namespace
+}  // namespace tyndall::test
