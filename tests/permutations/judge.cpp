@@ -22,7 +22,8 @@ std::string reportFolder() {
 std::string thisTestsCommand() {
     std::vector<std::string> words{"env"};
     for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "TYNDALL_EFFECTS"})
-        if (const std::string value = environment(name); !value.empty()) words.push_back(std::string(name) + "=" + value);
+        if (const std::string value = environment(name); !value.empty())
+            words.push_back(std::string(name) + "=" + value);
     std::error_code ignored;
     words.push_back(std::filesystem::read_symlink("/proc/self/exe", ignored).string());
     const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
@@ -45,8 +46,8 @@ rig::Image imageOf(const std::vector<Allowed>& allowed, int width, int height) {
     return image;
 }
 
-void judge(const Permutation& permutation, const std::string& check, const std::string& reason,
-           const rig::Image& image, const rig::Image* expected) {
+void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const rig::Image& image,
+           const rig::Image* expected) {
     const rig::Subject subject{permutation.effect(), permutation.name(), std::string(permutation.pass().name), check};
     rig::Outcome<void> reported;
     if (reason.empty()) {

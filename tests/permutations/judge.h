@@ -20,8 +20,8 @@ rig::Image imageOf(const std::vector<Allowed>& allowed, int width, int height);
 /// fails with the technique's name, and its pictures go to the report, with the command that runs this test again.
 /// The report is the folder that TYNDALL_REPORT names, or the build folder's `report`. `check` is unique for the
 /// permutation. `expected` may be null.
-void judge(const Permutation& permutation, const std::string& check, const std::string& reason,
-           const rig::Image& image, const rig::Image* expected);
+void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const rig::Image& image,
+           const rig::Image* expected);
 
 /// Against the golden of that name in tests/permutations/goldens. TYNDALL_UPDATE_GOLDENS=1 makes it anew, and fails.
 void judgeGolden(const Permutation& permutation, const std::string& name, const rig::Image& image,

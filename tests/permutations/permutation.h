@@ -5,18 +5,26 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scenes.h"
 
 namespace tyndall::test {
 
+/// What permgen made of slices.fx.
+const permgen::Effect& effectTables();
+
 struct Permutation {
     const permgen::Technique* technique;
-    bool noise, shadow, cookie;  ///< what its one pass sets the pixel shader's switches to
+    /// The terms that its name promises; of a technique that plan() does not know, those its switches set.
+    bool noise, shadow, cookie;
 
     std::string name() const { return std::string(technique->name); }
+    std::string effect() const { return std::string(effectTables().name); }
     const permgen::Pass& pass() const { return technique->passes[0]; }
+    /// {"bCookie", "true"} and so on, both stages together.
+    std::vector<std::pair<std::string, std::string>> constants() const;
 };
 
 /// One for each technique, in the effect's order.

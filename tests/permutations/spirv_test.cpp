@@ -1,7 +1,6 @@
 // Every module that slices.fx comes out as is valid, and names the resources that its tables say: read from the
 // SPIR-V by a reader of the test's own.
 #include <gtest/gtest.h>
-#include <slices.fx.h>
 #include <validate.h>
 
 #include <map>
@@ -46,7 +45,7 @@ class SpirvTest : public testing::TestWithParam<Permutation> {};
 INSTANTIATE_TEST_SUITE_P(SlicesFx, SpirvTest, testing::ValuesIn(permutations()), PermutationName());
 
 TEST(Spirv, SharedModulesAreValid) {
-    for (const permgen::Module* module : slices::effect.modules) {
+    for (const permgen::Module* module : effectTables().modules) {
         ASSERT_FALSE(module->code.empty()) << module->name;
         EXPECT_EQ(permgen::validate_spirv(module->code), "") << module->name;
     }
@@ -70,9 +69,15 @@ TEST_P(SpirvTest, FrozenModulesAreValidAndUseExactlyWhatIsLive) {
 TEST_P(SpirvTest, ItsSwitchesAreWhatItsNameSays) {
     const Permutation& one = GetParam();
     for (const permgen::Constant& constant : one.pass().pixel.constants) {
-        if (constant.name == "bScrollingNoise") EXPECT_EQ(constant.bits != 0, one.noise);
-        if (constant.name == "bShadowMapping") EXPECT_EQ(constant.bits != 0, one.shadow);
-        if (constant.name == "bCookie") EXPECT_EQ(constant.bits != 0, one.cookie);
+        if (constant.name == "bScrollingNoise") {
+            EXPECT_EQ(constant.bits != 0, one.noise);
+        }
+        if (constant.name == "bShadowMapping") {
+            EXPECT_EQ(constant.bits != 0, one.shadow);
+        }
+        if (constant.name == "bCookie") {
+            EXPECT_EQ(constant.bits != 0, one.cookie);
+        }
     }
 }
 

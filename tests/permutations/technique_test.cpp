@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "draw.h"
-#include "permutation.h"
+#include "judge.h"
 
 namespace tyndall::test {
 namespace {
@@ -11,8 +11,9 @@ class TechniqueTest : public GpuTest, public testing::WithParamInterface<Permuta
 
 INSTANTIATE_TEST_SUITE_P(SlicesFx, TechniqueTest, testing::ValuesIn(permutations()), PermutationName());
 
-Drawing drawInsideOracle(const Shot& shot, const OracleImage& expected, const Permutation& permutation,
+Drawing drawInsideOracle(const NamedShot& named, const OracleImage& expected, const Permutation& permutation,
                          Geometry geometry) {
+    const Shot& shot = named.shot;
     DrawOptions options;
     options.geometry = geometry;
     Drawing drawing = draw(shot, options);
@@ -25,7 +26,8 @@ Drawing drawInsideOracle(const Shot& shot, const OracleImage& expected, const Pe
 
     const std::vector<Allowed> allowed = allowedBy(expected);
     EXPECT_LT(vagueness(allowed), 0.06);
-    EXPECT_EQ(whyOutside(drawing.sum, drawing.plan.scale, allowed), "");
+    judgeOracle(permutation, "oracle, " + named.name + (geometry == Geometry::ExactPolygons ? ", polygons" : ", quads"),
+                drawing.sum, drawing.plan.scale, allowed);
     EXPECT_GT(litPixels(drawing.sum), 500);
     return drawing;
 }
@@ -45,11 +47,11 @@ TEST(Techniques, AreTheEightSettingsOfThreeSwitchesOverOneModule) {
 TEST_P(TechniqueTest, BothGeometriesMatchTheOracleAndEachOther) {
     for (const NamedShot& named : shots()) {
         SCOPED_TRACE(named.name);
-        Shot shot = shotFor(GetParam(), named.shot);
-        const Drawing polygons = drawInsideOracle(shot, oracle(shot), GetParam(), Geometry::ExactPolygons);
-        shot.quads = true;
-        const OracleImage expected = oracle(shot);
-        const Drawing quads = drawInsideOracle(shot, expected, GetParam(), Geometry::StretchedQuads);
+        NamedShot mine{named.name, shotFor(GetParam(), named.shot)};
+        const Drawing polygons = drawInsideOracle(mine, oracle(mine.shot), GetParam(), Geometry::ExactPolygons);
+        mine.shot.quads = true;
+        const OracleImage expected = oracle(mine.shot);
+        const Drawing quads = drawInsideOracle(mine, expected, GetParam(), Geometry::StretchedQuads);
 
         int apart = 0;
         for (std::size_t i = 0; i < expected.pixels.size(); ++i)

@@ -214,8 +214,7 @@ Masks masks(const FragmentContext& context, int x, int y, double depth) {
     if (shot.light.noise) masks.noise = dust(context, point) / evenDust(shot);
     if (shot.light.shadow) masks.shadow = lightThrough(context, point);
     if (shot.light.cookie)
-        for (int c = 0; c < 3; ++c)
-            masks.cookie[c] = sampleLinear(shot.cookieMap, c, Address::Clamp, point.u, point.v);
+        for (int c = 0; c < 3; ++c) masks.cookie[c] = sampleLinear(shot.cookieMap, c, Address::Clamp, point.u, point.v);
     return masks;
 }
 

@@ -20,6 +20,13 @@ Interval maskOf(const Masks& masks, Term term, int channel) {
     throw std::logic_error("no such term");
 }
 
+/// A shadow's edge may be lit or not; what is left of a picture there divides into nothing definite.
+bool wellKnown(const std::array<Interval, 4>& rest) {
+    for (int c = 0; c < 3; ++c)
+        if (!(rest[c].lo > 0.0 && rest[c].hi < 1.01 * rest[c].lo)) return false;
+    return true;
+}
+
 }  // namespace
 
 Shot without(Shot shot, Term term) {
@@ -46,6 +53,7 @@ std::vector<std::optional<std::array<Interval, 3>>> projectedMask(const Shot& sh
             if (coverage(masked, x, y, depth) != Seen::Yes) continue;
             const Masks here = masks(masked, x, y, depth);
             const auto rest = radiance(open, x, y, depth);
+            if (!wellKnown(rest)) continue;
             quotients.back().emplace();
             for (int c = 0; c < 3; ++c) {
                 const Interval mask = maskOf(here, term, c);

@@ -14,7 +14,8 @@ enum class Term { Noise, Shadow, Cookie };
 Shot without(Shot shot, Term term);
 
 /// For each pixel, red, green and blue of the quotient; absent where the slice does not certainly cover the
-/// pixel. The shot has the term and one slice, whose depth is the middle of the volume that is seen.
+/// pixel, or where the rest of the picture is dark or not known to 1 %. The shot has the term and one slice, whose
+/// depth is the middle of the volume that is seen.
 ///
 /// With the mask m, as the shader rounds it, and everything else f, the pictures are f1 m and f2. The two f
 /// need not be the same bits, but both lie in what the oracle allows the picture without the term; so the

@@ -134,6 +134,8 @@ std::vector<NamedShot> shots() {
         {"clip_planes", withClipPlanes()},
         {"orthographic", orthographic()},
         {"article_look", inArticleLook(sideView())},
+        {"article_look_clip_planes", inArticleLook(withClipPlanes())},
+        {"article_look_orthographic", inArticleLook(orthographic())},
     };
 }
 
