@@ -36,7 +36,7 @@ article{background:var(--card);border:1px solid var(--line);border-left:5px soli
 padding:18px 20px;margin:0 0 22px}
 article h2{font-size:18px;margin:0;overflow-wrap:anywhere}
 .where{color:var(--dim);margin:2px 0 10px}
-.reason{margin:0 0 14px;color:var(--bad);overflow-wrap:anywhere}
+.reason{white-space:pre-line;margin:0 0 14px;color:var(--bad);overflow-wrap:anywhere}
 .pictures{display:grid;grid-template-columns:repeat(3,minmax(0,1fr));gap:14px;margin:0 0 14px}
 figure{margin:0}
 figure img{width:100%;display:block;image-rendering:pixelated;background:#000;border:1px solid var(--line);border-radius:4px}
