@@ -66,6 +66,10 @@ Checked checkLight(const ReferenceLight& reference, std::size_t index, Mode mode
     for (const glm::dvec4& plane : light.clipPlanes)
         if (!std::isfinite(plane.x + plane.y + plane.z + plane.w) || glm::length(glm::dvec3(plane)) == 0.0)
             return broken("{}: a clip plane must be finite and have a normal; correct it", place);
+    if (const auto& cone = reference.cone)
+        if (!(cone->inner >= 0.0 && cone->outer >= cone->inner && cone->outer < 0.5 * std::numbers::pi))
+            return broken("{}: its cone's half angles {} and {} must be 0 <= inner <= outer < pi / 2; correct them",
+                          place, cone->inner, cone->outer);
     if (light.cookie)
         if (auto checked = checkTexture(place + ": its cookie", reference.cookie, 3); !checked) return checked;
     if (light.noise)

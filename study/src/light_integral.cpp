@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cone.h"
 #include "inverse_square.h"
 
 namespace tyndall::study {
@@ -25,9 +26,11 @@ struct Masks {
     std::optional<Cell> cookie, noise1, noise2, shadow;
     std::array<bool, 4> corners{};
     double gain = 1.0;
+    const Cone* cone = nullptr;  // where it is neither dark nor in full light
+    const LightRay* ray = nullptr;
 
     glm::dvec3 at(double s) const {
-        glm::dvec3 mask(1.0);
+        glm::dvec3 mask(cone ? coneFalloff(*cone, ray->cosine(s)) : 1.0);
         if (shadow) {
             const std::array<double, 4> weight = shadow->weights(s);
             double through = 0.0;
@@ -40,7 +43,8 @@ struct Masks {
     }
 
     bool constant() const {
-        return !shadow && (!noise1 || (noise1->uniform(1) && noise2->uniform(2))) && (!cookie || cookie->uniform(3));
+        return !cone && !shadow && (!noise1 || (noise1->uniform(1) && noise2->uniform(2))) &&
+               (!cookie || cookie->uniform(3));
     }
 };
 
@@ -136,12 +140,16 @@ Quadrature lightIntegral(const ReferenceLight& light, const LightRay& ray, const
             addCrossings(places, paths.noise1, light.noise, Address::Wrap, stretch.span);
             addCrossings(places, paths.noise2, light.noise, Address::Wrap, stretch.span);
         }
+        if (light.cone) addCrossings(places, *light.cone, ray, stretch.span);
         places.push_back(stretch.span.end);
         std::sort(places.begin(), places.end());
         for (std::size_t i = 0; i + 1 < places.size(); ++i) {
             const Span span{places[i], places[i + 1]};
             if (span.empty()) continue;
+            if (light.cone && coneFalloff(*light.cone, ray.cosine(span.middle())) == 0.0) continue;
             Masks masks;
+            masks.ray = &ray;
+            if (light.cone && !inFullLight(*light.cone, ray.cosine(span.middle()))) masks.cone = &*light.cone;
             if (light.light.cookie) masks.cookie.emplace(light.cookie, paths.cookie, Address::Clamp, span.middle());
             if (light.light.noise) {
                 masks.gain = light.light.noise->gain;

@@ -4,6 +4,7 @@
 #include <tyndall/light.h>
 #include <tyndall/view.h>
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace tyndall::study {
@@ -37,6 +38,8 @@ struct LightRay {
 
     glm::dvec3 at(double s) const { return foot + s * direction; }
     double axis(double s) const { return -foot.z - s * direction.z; }  ///< metres along the light's axis
+    /// Of the angle between the light's axis and the direction from the lamp.
+    double cosine(double s) const { return axis(s) / std::hypot(distance, s); }
 };
 
 LightRay lightRay(const Light& light, const View& view, const ViewRay& ray);

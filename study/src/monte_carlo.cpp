@@ -43,6 +43,13 @@ double sample(const Texture& texture, double u, double v, int channel, bool wrap
     return bilinear(texture, u, v, [&](double i, double j) { return texel(texture, i, j, channel, wrap); });
 }
 
+double falloff(const Cone& cone, double angle) {
+    if (angle >= cone.outer) return 0.0;
+    const double scale = 1.0 / std::max(0.001, std::cos(cone.inner) - std::cos(cone.outer));
+    const double share = std::min(1.0, scale * (std::cos(angle) - std::cos(cone.outer)));
+    return share * share;
+}
+
 struct Scattering {
     const ReferenceScene& scene;
     const ReferenceLight& light;
@@ -88,6 +95,7 @@ struct Scattering {
             mask *= l.noise->gain * sample(light.noise, red.x, red.y, 0, true) *
                     sample(light.noise, green.x, green.y, 1, true);
         }
+        if (light.cone) mask *= falloff(*light.cone, std::acos(axis / glm::length(p)));
         glm::dvec3 colour = l.colour * (l.density / (4.0 * std::numbers::pi));
         if (l.cookie)
             for (int c = 0; c < 3; ++c) colour[c] *= sample(light.cookie, u, v, c, false);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace tyndall::study {
 
@@ -58,24 +59,63 @@ Quadrature applyPair(const KronrodNode (&nodes)[N], const F& f, double a, double
     return {half * kronrod, glm::abs(half * (kronrod - gauss)), 2 * N - 1};
 }
 
-/// Integral of `f` over [a, b] to the relative error `accuracy` in every channel. Because nothing is negative,
-/// pieces that are each as accurate as asked for add up to a whole that is. The interval is halved where the
-/// pair disagrees, at most `depth` times; what is not reached then shows in `error`.
+/// Integral of `f` over [a, b] to the relative error `accuracy` in every channel, if it can be had: the piece with the
+/// largest error is halved until all together are good enough, until `most` pieces are there, or until halving has
+/// stopped helping, as it does where rounding is all that is left. What is not reached shows in `error`.
+///
+/// Because nothing is negative, integrals that are each as accurate as asked for add up to one that is.
 template <class F>
-Quadrature integrate(const F& f, double a, double b, double accuracy, int depth = 40) {
-    const auto goodEnough = [&](const Quadrature& q) {
+Quadrature integrate(const F& f, double a, double b, double accuracy, std::size_t most = 500) {
+    const auto accurate = [accuracy](const Quadrature& q) {
         return glm::all(glm::lessThanEqual(q.error, accuracy * glm::abs(q.value)));
     };
-    Quadrature q = applyPair(kronrod7, f, a, b);
-    if (goodEnough(q)) return q;
-    const std::uint64_t spent = q.evaluations;
-    q = applyPair(kronrod15, f, a, b);
-    q.evaluations += spent;
-    const double middle = 0.5 * (a + b);
-    if (goodEnough(q) || depth == 0 || !(a < middle && middle < b)) return q;
-    const Quadrature left = integrate(f, a, middle, accuracy, depth - 1);
-    const Quadrature right = integrate(f, middle, b, accuracy, depth - 1);
-    return {left.value + right.value, left.error + right.error, q.evaluations + left.evaluations + right.evaluations};
+    Quadrature total = applyPair(kronrod7, f, a, b);
+    if (accurate(total)) return total;
+    const std::uint64_t spent = total.evaluations;
+    total = applyPair(kronrod15, f, a, b);
+    total.evaluations += spent;
+    if (accurate(total)) return total;
+
+    struct Piece {
+        double a, b, rank;
+        Quadrature q;
+        bool operator<(const Piece& other) const { return rank < other.rank; }
+    };
+    const auto piece = [&](double from, double to, const Quadrature& q) {
+        double rank = 0.0;  // its worst channel, as a share of that channel's whole
+        for (int c = 0; c < 3; ++c)
+            if (total.value[c] != 0.0) rank = std::max(rank, q.error[c] / std::abs(total.value[c]));
+        return Piece{from, to, rank, q};
+    };
+    constexpr std::size_t patience = 16;
+    std::vector<Piece> heap{piece(a, b, total)};
+    double best = heap.front().rank;
+    for (std::size_t idle = 0; heap.size() < most && idle < patience && !accurate(total);) {
+        std::pop_heap(heap.begin(), heap.end());
+        const Piece worst = heap.back();
+        heap.pop_back();
+        const double middle = 0.5 * (worst.a + worst.b);
+        const Quadrature left = applyPair(kronrod15, f, worst.a, middle);
+        const Quadrature right = applyPair(kronrod15, f, middle, worst.b);
+        heap.push_back(piece(worst.a, middle, left));
+        std::push_heap(heap.begin(), heap.end());
+        heap.push_back(piece(middle, worst.b, right));
+        std::push_heap(heap.begin(), heap.end());
+
+        // Summed anew: what is added and taken away again leaves its rounding behind.
+        const std::uint64_t evaluations = total.evaluations + left.evaluations + right.evaluations;
+        total = {};
+        double rank = 0.0;
+        for (const Piece& p : heap) {
+            total.value += p.q.value;
+            total.error += p.q.error;
+            rank += p.rank;
+        }
+        total.evaluations = evaluations;
+        idle = rank < 0.9 * best ? 0 : idle + 1;
+        best = std::min(best, rank);
+    }
+    return total;
 }
 
 }  // namespace tyndall::study

@@ -35,8 +35,11 @@ study::ReferenceScene referenceScene(const Shot& shot, double depthExtent) {
     scene.time = shot.time;
     scene.shadowBias = shot.shadowBias;
     scene.depth = studyTexture(shot.sceneDepth);
-    scene.lights = {
-        {shot.light, studyTexture(shot.cookieMap), studyTexture(shot.noiseMap), studyTexture(shot.shadowMap)}};
+    scene.lights.resize(1);
+    scene.lights[0].light = shot.light;
+    scene.lights[0].cookie = studyTexture(shot.cookieMap);
+    scene.lights[0].noise = studyTexture(shot.noiseMap);
+    scene.lights[0].shadowMap = studyTexture(shot.shadowMap);
     if (shot.article) giveArticleConstants(scene.lights[0].light, depthExtent);
     return scene;
 }

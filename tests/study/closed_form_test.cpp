@@ -184,6 +184,28 @@ TEST(ClosedForm, BilinearRamps) {
     EXPECT_NEAR(value.b, base / 12.0, 1e-8 * base);
 }
 
+// Along a line across the axis at distance 1 the cosine is 1 / sqrt(1 + x^2): with ambient alone, the squared falloff
+// is made of 1 / (1 + x^2), 1 / sqrt(1 + x^2) and 1.
+TEST(ClosedForm, ConeAcrossItsAxis) {
+    Light light = plainLight();
+    light.intensity = 0.0;
+    light.ambient = 2.0;
+    light.fov = glm::dvec2(2.8);
+    for (const auto& [inner, outer] : {std::pair{0.3, 0.8}, {0.0, 1.0}, {0.5, 0.5}}) {
+        study::ReferenceScene scene = oneRay(light, {5.0, 0.0, -1.0}, {-1.0, 0.0, 0.0});
+        scene.lights[0].cone = study::Cone{inner, outer};
+        const Real dark = std::cos(static_cast<Real>(outer));
+        const Real width = std::max(0.001L, std::cos(static_cast<Real>(inner)) - dark);
+        const Real x0 = std::sqrt(1 / ((dark + width) * (dark + width)) - 1), x1 = std::sqrt(1 / (dark * dark) - 1);
+        const auto primitive = [&](Real x) { return std::atan(x) - 2 * dark * std::asinh(x) + dark * dark * x; };
+        const Real length = 2 * (x0 + (primitive(x1) - primitive(x0)) / (width * width));
+        // 0.001 of cosine is a difference of primitives that cancels to a thousandth squared.
+        const Real exact = static_cast<Real>(light.density) / fourPi * 2 * length;
+        EXPECT_NEAR(radianceOf(scene, 1e-12).x, static_cast<double>(exact), 1e-11 * static_cast<double>(exact))
+            << inner;
+    }
+}
+
 // Rays that graze the lamp, out to where h is no longer resolved. The limit is 1/a - 1/b.
 TEST(ClosedForm, IsStableNextToTheLight) {
     Light light = plainLight();

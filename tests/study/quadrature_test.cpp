@@ -64,9 +64,18 @@ TEST(Quadrature, TheErrorItStatesHolds) {
 
 TEST(Quadrature, GivesUpAtAJumpAndSaysSo) {
     const auto step = [](double x) { return glm::dvec3(x < 1.0 / 3.0 ? 1.0 : 0.0); };
-    const Quadrature q = integrate(step, 0.0, 1.0, 1e-12, 8);
+    const Quadrature q = integrate(step, 0.0, 1.0, 1e-12, 20);
     EXPECT_GT(q.error.x, 1e-12);
     EXPECT_NEAR(q.value.x, 1.0 / 3.0, q.error.x);
+}
+
+// Noise of 1e-9 stands for rounding: 1e-12 is out of reach, and the answer comes all the same, with its error.
+TEST(Quadrature, GivesUpAtRoundingAndSaysSo) {
+    const auto noisy = [](double x) { return glm::dvec3(x * (1.0 + 1e-9 * std::sin(1e9 * x))); };
+    const Quadrature q = integrate(noisy, 0.0, 1.0, 1e-12);
+    EXPECT_LT(q.evaluations, 2000u);
+    EXPECT_GT(q.error.x, 1e-12 * q.value.x);
+    EXPECT_NEAR(q.value.x, 0.5, q.error.x + 1e-10);
 }
 
 long double wellConditioned(long double a, long double b, long double h) {

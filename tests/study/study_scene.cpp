@@ -40,7 +40,8 @@ ReferenceScene oneRay(const Light& light, glm::dvec3 position, glm::dvec3 direct
     ReferenceScene scene;
     scene.view = eye(position, direction, 0.8, oneRayNear, 1e4);
     scene.width = scene.height = 1;
-    scene.lights = {{light, {}, {}, {}}};
+    scene.lights.resize(1);
+    scene.lights[0].light = light;
     return scene;
 }
 
@@ -109,6 +110,10 @@ ReferenceScene randomScene(std::uint64_t seed, Mode mode) {
             noise.scale = {uniform(random, 0.5, 3.0), uniform(random, -3.0, -0.5)};
             l.noise = noise;
             light.noise = speckle(4, 6, 2, random(), 0.3);
+        }
+        if (random() % 3 == 0) {
+            const double outer = uniform(random, 0.2, 1.0);
+            light.cone = study::Cone{random() % 4 == 0 ? outer : uniform(random, 0.0, outer), outer};
         }
         if (random() % 3 == 0) l.clipPlanes = {glm::dvec4(direction(random), uniform(random, 0.0, 1.0))};
         if (mode == Mode::Hardware && l.shadow) {

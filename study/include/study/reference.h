@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -30,13 +31,20 @@ struct Triangle {
     bool bothSides = false;  ///< hides what is behind it from either side; it always throws a shadow
 };
 
+/// Half angles in radians: full light within `inner`, none beyond `outer`, the falloff of KHR_lights_punctual
+/// between. 0 <= inner <= outer < pi / 2.
+struct Cone {
+    double inner = 0.0, outer = 0.0;
+};
+
 /// Light::cookie, ::shadow and ::noise say which terms a light has; textures of the others may be empty.
 struct ReferenceLight {
     Light light;
-    Texture cookie;     ///< linear colour, at least three channels; bilinear, clamped
-    Texture noise;      ///< red and green carry the two maps; bilinear, wrapped
-    Texture shadowMap;  ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
-                        ///< comparison comes first, then the bilinear filter, clamped
+    Texture cookie;            ///< linear colour, at least three channels; bilinear, clamped
+    std::optional<Cone> cone;  ///< times the cookie, exactly; a renderer that bakes it into a texture has an error
+    Texture noise;             ///< red and green carry the two maps; bilinear, wrapped
+    Texture shadowMap;         ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
+                               ///< comparison comes first, then the bilinear filter, clamped
 };
 
 struct ReferenceScene {
