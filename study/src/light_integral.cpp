@@ -30,15 +30,21 @@ struct Masks {
     const LightRay* ray = nullptr;
 
     glm::dvec3 at(double s) const {
+        const double reciprocal = 1.0 / ray->axis(s);
         glm::dvec3 mask(cone ? coneFalloff(*cone, ray->cosine(s)) : 1.0);
         if (shadow) {
-            const std::array<double, 4> weight = shadow->weights(s);
+            const std::array<double, 4> weight = shadow->weights(s, reciprocal);
             double through = 0.0;
             for (int i = 0; i < 4; ++i) through += corners[i] ? weight[i] : 0.0;
             mask *= std::max(through, 0.0);  // crossings are rounded: a weight may stick out by one ulp
         }
-        if (noise1) mask *= gain * noise1->sample(s, 0) * noise2->sample(s, 1);
-        if (cookie) mask *= glm::dvec3(cookie->sample(s, 0), cookie->sample(s, 1), cookie->sample(s, 2));
+        if (noise1)
+            mask *= gain * noise1->blend(noise1->weights(s, reciprocal), 0) *
+                    noise2->blend(noise2->weights(s, reciprocal), 1);
+        if (cookie) {
+            const std::array<double, 4> weight = cookie->weights(s, reciprocal);
+            mask *= glm::dvec3(cookie->blend(weight, 0), cookie->blend(weight, 1), cookie->blend(weight, 2));
+        }
         return mask;
     }
 

@@ -48,6 +48,8 @@ Pixel integratePixel(const PreparedScene& prepared, int x, int y, double accurac
     std::vector<LitSpan> lit;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const ReferenceLight& light = scene.lights[i];
+        const glm::dvec3 scatter = light.light.colour * (light.light.density / (4.0 * std::numbers::pi));
+        if (scatter == glm::dvec3(0.0)) continue;
         const LightRay ray = lightRay(light.light, scene.view, view);
         const Span span = clipToLight(light.light, ray, {seen.begin - ray.footLength, seen.end - ray.footLength});
         if (span.empty()) continue;
@@ -61,7 +63,6 @@ Pixel integratePixel(const PreparedScene& prepared, int x, int y, double accurac
             litSpans(lit, prepared.shadowMaps[i], shadow, ray, span);
         const Quadrature integral = lightIntegral(light, ray, texturePaths(light, ray, scene.time), shadow,
                                                   prepared.shadowMaps[i], lit, accuracy);
-        const glm::dvec3 scatter = light.light.colour * (light.light.density / (4.0 * std::numbers::pi));
         pixel.radiance += scatter * integral.value;
         pixel.error += scatter * (integral.error + rounding * integral.value);
         pixel.evaluations += integral.evaluations;

@@ -36,23 +36,11 @@ void addCrossings(std::vector<double>& places, const TexelPath& path, const Text
 }
 
 Cell::Cell(const Texture& texture, const TexelPath& path, Address address, double s)
-    : texture_(&texture), path_(&path), left_(std::floor(path.x.at(s))), top_(std::floor(path.y.at(s))) {
+    : texture_(&texture), path_(path), left_(std::floor(path.x.at(s))), top_(std::floor(path.y.at(s))) {
     for (int i = 0; i < 2; ++i) {
         x_[i] = addressed(left_ + i, texture.width, address);
         y_[i] = addressed(top_ + i, texture.height, address);
     }
-}
-
-std::array<double, 4> Cell::weights(double s) const {
-    const double fx = path_->x.at(s) - left_, fy = path_->y.at(s) - top_;
-    return {(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy};
-}
-
-double Cell::sample(double s, int channel) const {
-    const std::array<double, 4> weight = weights(s);
-    double sum = 0.0;
-    for (int i = 0; i < 4; ++i) sum += weight[i] * corner(i, channel);
-    return sum;
 }
 
 bool Cell::uniform(int channels) const {

@@ -29,24 +29,34 @@ void addCrossings(std::vector<double>& places, const TexelPath& path, const Text
 /// Filtering"), with weights in full precision.
 class Cell {
 public:
-    /// The cell that the path is in at `s`.
+    /// The cell that the path is in at `s`. `texture` must outlive it.
     Cell(const Texture& texture, const TexelPath& path, Address address, double s);
 
     /// Texels at the cell's (left, top), (right, top), (left, bottom), (right, bottom).
-    double corner(int i, int channel) const { return texture_->at(x_[i & 1], y_[i >> 1], channel); }
+    double corner(int i, int channel) const {
+        return static_cast<double>(texture_->at(x_[i & 1], y_[i >> 1], channel));
+    }
     int column(int i) const { return x_[i & 1]; }
     int row(int i) const { return y_[i >> 1]; }
 
-    /// Weights of the four corners at `s`.
-    std::array<double, 4> weights(double s) const;
-    double sample(double s, int channel) const;
+    /// Weights of the four corners at `s`; `reciprocal` is that of the path's denominator there, which all textures
+    /// of a light share.
+    std::array<double, 4> weights(double s, double reciprocal) const {
+        const double fx = (path_.x.n0 + path_.x.n1 * s) * reciprocal - left_;
+        const double fy = (path_.y.n0 + path_.y.n1 * s) * reciprocal - top_;
+        return {(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy};
+    }
+    double blend(const std::array<double, 4>& weight, int channel) const {
+        return weight[0] * corner(0, channel) + weight[1] * corner(1, channel) + weight[2] * corner(2, channel) +
+               weight[3] * corner(3, channel);
+    }
 
     /// Whether all four texels are alike in the first `channels` channels.
     bool uniform(int channels) const;
 
 private:
     const Texture* texture_;
-    const TexelPath* path_;
+    TexelPath path_;
     double left_, top_;
     std::array<int, 2> x_, y_;
 };
