@@ -7,6 +7,8 @@
 // Spaces and matrices as in slices.fx: view space has the eye at the origin, light space the lamp; both
 // are in metres and look along -Z.
 
+#include "shadow.fxh"
+
 float4x4 gClipFromMesh;
 float4x4 gViewFromMesh;
 float4x4 gViewFromNormal;  // the cofactors of gViewFromMesh's upper 3x3: right for a mesh scaled flat, too
@@ -101,24 +103,6 @@ float4 ps_base(float4 viewPos : TEXCOORD0,
     return float4(albedo_at(uv.xy, bTexture) * gAmbient.rgb * sky + gEmission.rgb, 1.0);
 }
 
-// The share of the four nearest texels that let the light through: compare first, filter after.
-float light_through(float2 uv, float depth)
-{
-    float size = gShadow.z;
-    float2 texel = uv * size - 0.5;
-    float2 corner = floor(texel);
-    float2 part = texel - corner;
-    float2 uv00 = (corner + 0.5) / size;
-    float2 uv11 = (corner + 1.5) / size;
-    float4 stored = float4(tex2Dlod(ShadowMapSampler, float4(uv00, 0.0, 0.0)).r,
-                           tex2Dlod(ShadowMapSampler, float4(uv11.x, uv00.y, 0.0, 0.0)).r,
-                           tex2Dlod(ShadowMapSampler, float4(uv00.x, uv11.y, 0.0, 0.0)).r,
-                           tex2Dlod(ShadowMapSampler, float4(uv11, 0.0, 0.0)).r);
-    float4 lit = step(stored, float4(depth, depth, depth, depth));
-    float2 rows = lerp(lit.xz, lit.yw, part.x);
-    return lerp(rows.x, rows.y, part.y);
-}
-
 float4 ps_light(float4 viewPos : TEXCOORD0,
                 float4 normal  : TEXCOORD1,
                 float4 uv      : TEXCOORD2,
@@ -145,7 +129,8 @@ float4 ps_light(float4 viewPos : TEXCOORD0,
         float3 lifted = lsPos + face * lift;
         float liftedAxis = -lifted.z;
         float2 place = lifted.xy * float2(gCookieScale.x, -gCookieScale.y) / liftedAxis + 0.5;
-        light *= light_through(place, clamp(gShadow.x + gShadow.y / liftedAxis, 0.0, 0.99999994));
+        light *= light_through(ShadowMapSampler, gShadow.z, place,
+                               clamp(gShadow.x + gShadow.y / liftedAxis, 0.0, 0.99999994));
     }
 
     float2 inside = step(float2(0.0, 0.0), slide) * step(slide, float2(1.0, 1.0));

@@ -8,6 +8,8 @@
 // Spaces: *view* has the eye at the origin and looks along -Z; *light* has the lamp at the origin and
 // looks along -Z with +Y up. Both are in metres. Matrices multiply column vectors: mul(matrix, vector).
 
+#include "shadow.fxh"
+
 float4x4 gClipFromView;
 float4x4 gLightFromView;   // rigid; the last row is (0, 0, 0, 1)
 float4   gBoundsMin;       // xyz: view-space corner that a vertex coordinate of 0 stands for
@@ -92,25 +94,6 @@ float4 project(sampler2D map, float4 tc)
     return tex2Dlod(map, float4(tc.xy / tc.w, 0.0, 0.0));
 }
 
-// The share of the four nearest shadow-map texels that let the light through, weighted bilinearly:
-// compare first, filter after. `depth` and the map are reversed, so nearer to the light is greater.
-float light_through(float2 uv, float depth)
-{
-    float size = gShadow.z;
-    float2 texel = uv * size - 0.5;
-    float2 corner = floor(texel);
-    float2 part = texel - corner;
-    float2 uv00 = (corner + 0.5) / size;
-    float2 uv11 = (corner + 1.5) / size;
-    float s00 = tex2Dlod(ShadowMapSampler, float4(uv00, 0.0, 0.0)).r;
-    float s10 = tex2Dlod(ShadowMapSampler, float4(uv11.x, uv00.y, 0.0, 0.0)).r;
-    float s01 = tex2Dlod(ShadowMapSampler, float4(uv00.x, uv11.y, 0.0, 0.0)).r;
-    float s11 = tex2Dlod(ShadowMapSampler, float4(uv11, 0.0, 0.0)).r;
-    float4 lit = step(float4(s00, s10, s01, s11), float4(depth, depth, depth, depth));
-    float2 rows = lerp(lit.xz, lit.yw, part.x);
-    return lerp(rows.x, rows.y, part.y);
-}
-
 // The slice shader: what one slab of air, seen at one pixel, adds to the picture.
 float4 ps_main(float4 tcProj        : TEXCOORD0,
                float4 tcProjScroll1 : TEXCOORD1,
@@ -141,7 +124,7 @@ float4 ps_main(float4 tcProj        : TEXCOORD0,
         // Kept just under 1, so that a map filled with 1 blocks everything, and not under 0, so that an
         // empty map (all 0) blocks nothing.
         float depth = clamp(gShadow.x + gShadow.y / (lsPos_depth.w - gShadow.w), 0.0, 0.99999994);
-        shadow = light_through(tcProj.xy / tcProj.w, depth);
+        shadow = light_through(ShadowMapSampler, gShadow.z, tcProj.xy / tcProj.w, depth);
     }
 
     // Nothing behind the lamp: the projection would repeat the beam there, upside down.

@@ -144,6 +144,7 @@ TEST_F(Cli, SameBytesWhateverTheJobsTheFolderOrTheSecondTime) {
         EXPECT_EQ(files(std::strrchr(options, ' ') + 1), first) << options;
     }
     fs::copy_file(slices, folder / "slices.fx");
+    fs::copy_file(SHADERS "/shadow.fxh", folder / "shadow.fxh");
     ASSERT_EQ(permgen("compile --freeze -o c slices.fx").status, 0);
     EXPECT_EQ(files("c"), first) << "the same effect by another path";
 }

@@ -25,7 +25,8 @@ TEST(ReadEffect, SlicesHasOnePixelModuleAndItsEightSettings) {
     const Lowered lowered = read_effect(slices.string(), {}, diagnostics);
     ASSERT_TRUE(diagnostics.empty()) << format(diagnostics[0]);
     EXPECT_EQ(lowered.name, "slices");
-    EXPECT_EQ(lowered.dependencies, std::vector<std::string>{slices.string()});
+    EXPECT_EQ(lowered.dependencies,
+              (std::vector<std::string>{slices.string(), (slices.parent_path() / "shadow.fxh").string()}));
     ASSERT_EQ(lowered.modules.size(), 2u);
     EXPECT_EQ(lowered.modules[0].author_entry, "vs_main");
     EXPECT_EQ(lowered.modules[1].author_entry, "ps_main");
@@ -81,9 +82,12 @@ protected:
     void read(const std::string& text) {
         std::ofstream(path_, std::ios::binary) << text;
         Diagnostics diagnostics;
-        const Lowered lowered = read_effect(path_.string(), {}, diagnostics);
+        SourceOptions options;
+        options.include_folders = {SHADERS};  // slices.fx includes a file from there
+        const Lowered lowered = read_effect(path_.string(), options, diagnostics);
         for (const Diagnostic& diagnostic : diagnostics) {
-            ASSERT_EQ(diagnostic.place.file, path_.string()) << text;
+            const std::string& file = diagnostic.place.file;
+            ASSERT_TRUE(file == path_.string() || file.ends_with("shadow.fxh")) << file << '\n' << text;
             ASSERT_GE(diagnostic.place.line, diagnostic.code == "PG027" ? 0 : 1) << text;
             ASSERT_FALSE(diagnostic.message.empty());
         }
