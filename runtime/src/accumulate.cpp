@@ -1,18 +1,11 @@
 // Adds the slices of a group's lights up in the accumulation target.
-#include <cstddef>
-
 #include "barriers.h"
-#include "effects.h"
+#include "effect_contract.h"
 #include "renderer_impl.h"
+#include "rendering.h"
 
 namespace tyndall {
 namespace {
-
-constexpr std::array<VertexElement, 3> sliceElements{{
-    {"POSITION0", offsetof(SliceVertex, position), VK_FORMAT_R32G32B32_SFLOAT},
-    {"TEXCOORD0", offsetof(SliceVertex, thickness), VK_FORMAT_R32_SFLOAT},
-    {"COLOR0", offsetof(SliceVertex, channelMask), VK_FORMAT_R8G8B8A8_UNORM},
-}};
 
 struct LightSampler {
     std::string_view name;
@@ -42,17 +35,18 @@ Result<void> checkLight(const Plan& plan, std::size_t index, std::size_t texture
 
 /// Fills impl.draws. `neutral` becomes true where a light lacks what its technique reads.
 Result<void> resolve(Renderer::Impl& impl, const Plan& plan, const CompositeGroup& group,
-                     std::span<const LightTextures> textures, const PipelineTarget& target, bool& neutral) {
+                     std::span<const LightTextures> textures, const PassTarget& target, bool& neutral) {
     impl.draws.clear();
     for (const std::size_t index : group.lights) {
         if (auto checked = checkLight(plan, index, textures.size()); !checked) return checked;
         const PlannedLight& light = plan.lights[index];
-        const permgen::Technique* technique = permgen::find_technique(effects::slices::effect, light.technique);
+        const permgen::Technique* technique = permgen::find_technique(*impl.slices, light.technique);
         if (!technique)
             return invalidArgument("slices.fx has no technique " + std::string(light.technique) +
                                    "; techniqueName() gives those that exist");
-        const auto pipeline = pipelineFor(impl.gpu, impl.pipelines, effects::slices::effect, *technique,
-                                          impl.gpu.shaders, target, sliceElements, impl.counters.pipelinesCreated);
+        const auto pipeline =
+            pipelineFor(impl.gpu, impl.pipelines, *impl.slices, technique->passes[0], impl.gpu.shaders, target,
+                        slicesContract().elements, impl.counters.pipelinesCreated);
         if (!pipeline) return tl::unexpected(pipeline.error());
 
         Renderer::Impl::LightDraw draw{&light, *pipeline, {}};
@@ -83,26 +77,12 @@ void beginAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
     barrier.newLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
     recordBarrier(commands, barrier);
 
-    VkRenderingAttachmentInfo colour{};
-    colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    colour.imageView = targets.accumulationView;
-    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    VkRenderingAttachmentInfo depth{};
-    depth.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    depth.imageView = targets.depth;
-    depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL;
-    depth.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+    const VkRenderingAttachmentInfo colour =
+        attachment(targets.accumulationView, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
+    VkRenderingAttachmentInfo depth =
+        attachment(targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
     depth.storeOp = VK_ATTACHMENT_STORE_OP_NONE;  // STORE would count as a write
-    VkRenderingInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.renderArea = {{0, 0}, targets.extent};
-    rendering.layerCount = 1;
-    rendering.colorAttachmentCount = 1;
-    rendering.pColorAttachments = &colour;
-    rendering.pDepthAttachment = targets.depth ? &depth : nullptr;
-    vkCmdBeginRendering(commands, &rendering);
+    beginRendering(commands, targets.extent, &colour, targets.depth ? &depth : nullptr);
 }
 
 void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
@@ -127,8 +107,8 @@ Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const Pl
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound);
         }
         const FrameRange& constants = uploaded.constants[static_cast<std::size_t>(draw.light - plan.lights.data())];
-        const auto pushed = pushResources(impl.gpu, commands, *draw.pipeline.layout,
-                                          {constants.buffer, constants.offset, sizeof(SliceConstants)}, draw.images);
+        const NamedBuffer block{globalsBlock, {constants.buffer, constants.offset, sizeof(SliceConstants)}};
+        const auto pushed = pushResources(impl.gpu, commands, *draw.pipeline.layout, std::span(&block, 1), draw.images);
         if (!pushed) return tl::unexpected(pushed.error());
         vkCmdDrawIndexed(commands, draw.light->indexCount, 1, draw.light->firstIndex, 0, 0);
         ++impl.counters.draws;
@@ -148,15 +128,15 @@ Result<void> Renderer::recordAccumulation(VkCommandBuffer commands, FrameData& f
     if (auto checked = checkRecording(**data, plan, group, targets); !checked) return checked;
     const UploadedPlan& uploaded = *(*data)->plan;
 
-    const PipelineTarget target{accumulationFormat(plan.accumulation),
-                                targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED, targets.depthCompare};
+    const PassTarget target{.colours = {accumulationFormat(plan.accumulation)},
+                            .depth = targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED,
+                            .compare = targets.depthCompare};
     bool neutral = false;
     if (auto resolved = resolve(*impl_, plan, plan.groups[group], textures, target, neutral); !resolved)
         return resolved;
 
     if (neutral) recordNeutralFill(commands, impl_->neutral);
     beginAccumulation(commands, targets);
-    setViewport(commands, targets.extent);
     bindVertices(commands, uploaded.vertices.buffer, uploaded.vertices.offset, sizeof(SliceVertex));
     vkCmdBindIndexBuffer(commands, uploaded.indices.buffer, uploaded.indices.offset, VK_INDEX_TYPE_UINT32);
     auto drawn = drawLights(*impl_, commands, plan, uploaded);

@@ -1,21 +1,12 @@
 // Adds an accumulated group to the picture.
-#include <cstddef>
-
 #include "barriers.h"
 #include "composite_data.h"
-#include "effects.h"
-#include "member_check.h"
+#include "effect_contract.h"
 #include "renderer_impl.h"
+#include "rendering.h"
 
 namespace tyndall {
 namespace {
-
-static_assert(memberIs(effects::composite::effect, "gTint", offsetof(CompositeConstants, tint), 16));
-static_assert(memberIs(effects::composite::effect, "gTexel", offsetof(CompositeConstants, texel), 16));
-static_assert(memberIs(effects::composite::effect, "gDepth", offsetof(CompositeConstants, depth), 16));
-static_assert(blockIs(effects::composite::effect, sizeof(CompositeConstants)));
-
-constexpr std::array<VertexElement, 1> screenElements{{{"POSITION0", 0, VK_FORMAT_R32G32_SFLOAT}}};
 
 std::string_view techniqueFor(bool routed, bool blur) {
     if (routed) return blur ? "routed_blur_technique" : "routed_noblur_technique";
@@ -47,19 +38,9 @@ void beginComposite(VkCommandBuffer commands, const ShaftTargets& targets) {
     barrier.dstAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
     recordBarrier(commands, barrier);
 
-    VkRenderingAttachmentInfo colour{};
-    colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    colour.imageView = targets.colour;
-    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    colour.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
-    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    VkRenderingInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.renderArea = {{0, 0}, targets.extent};
-    rendering.layerCount = 1;
-    rendering.colorAttachmentCount = 1;
-    rendering.pColorAttachments = &colour;
-    vkCmdBeginRendering(commands, &rendering);
+    const VkRenderingAttachmentInfo colour =
+        attachment(targets.colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
+    beginRendering(commands, targets.extent, &colour, nullptr);
 }
 
 }  // namespace
@@ -77,11 +58,11 @@ Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& fram
 
     const bool routed = plan.accumulation == Accumulation::Rgba8Routed;
     const permgen::Technique* technique =
-        permgen::find_technique(effects::composite::effect, techniqueFor(routed, targets.blur));
+        permgen::find_technique(*impl_->composite, techniqueFor(routed, targets.blur));
     RendererCounters& counters = impl_->counters;
-    const auto pipeline = pipelineFor(
-        impl_->gpu, impl_->pipelines, effects::composite::effect, *technique, Shaders::Frozen,
-        {targets.colourFormat, VK_FORMAT_UNDEFINED, VK_COMPARE_OP_ALWAYS}, screenElements, counters.pipelinesCreated);
+    const auto pipeline =
+        pipelineFor(impl_->gpu, impl_->pipelines, *impl_->composite, technique->passes[0], Shaders::Frozen,
+                    {.colours = {targets.colourFormat}}, compositeContract().elements, counters.pipelinesCreated);
     if (!pipeline) return tl::unexpected(pipeline.error());
     const auto constants = placeValue(data, constantsFor(plan, plan.groups[group], targets), counters);
     if (!constants) return tl::unexpected(constants.error());
@@ -91,12 +72,11 @@ Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& fram
         {"SceneDepthSampler", targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL},
     }};
     beginComposite(commands, targets);
-    setViewport(commands, targets.extent);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
     const FrameRange& triangle = data.plan->screenTriangle;
     bindVertices(commands, triangle.buffer, triangle.offset, sizeof(glm::vec2));
-    const auto pushed = pushResources(impl_->gpu, commands, *pipeline->layout,
-                                      {constants->buffer, constants->offset, sizeof(CompositeConstants)}, images);
+    const NamedBuffer block{globalsBlock, {constants->buffer, constants->offset, sizeof(CompositeConstants)}};
+    const auto pushed = pushResources(impl_->gpu, commands, *pipeline->layout, std::span(&block, 1), images);
     if (pushed) {
         vkCmdDraw(commands, 3, 1, 0, 0);
         ++counters.draws;

@@ -8,21 +8,38 @@ namespace {
 constexpr VkFormat colourFormat = VK_FORMAT_R8G8B8A8_UNORM;
 constexpr VkFormat depthFormat = VK_FORMAT_D16_UNORM;  // sampled depth of 16 bits is there on every device
 
-Result<void> create(const Gpu& gpu, NeutralTexture& texture) {
+struct Shape {
+    VkImageType image;
+    VkImageViewType view;
+    std::uint32_t layers;
+    const char* name;
+};
+
+constexpr std::array<Shape, 5> shapes{{
+    {VK_IMAGE_TYPE_2D, VK_IMAGE_VIEW_TYPE_2D, 1, "tyndall white texture"},
+    {VK_IMAGE_TYPE_2D, VK_IMAGE_VIEW_TYPE_2D, 1, "tyndall empty shadow map"},
+    {VK_IMAGE_TYPE_1D, VK_IMAGE_VIEW_TYPE_1D, 1, "tyndall white 1D texture"},
+    {VK_IMAGE_TYPE_3D, VK_IMAGE_VIEW_TYPE_3D, 1, "tyndall white 3D texture"},
+    {VK_IMAGE_TYPE_2D, VK_IMAGE_VIEW_TYPE_CUBE, 6, "tyndall white cube texture"},
+}};
+
+Result<void> create(const Gpu& gpu, NeutralTexture& texture, Neutral which) {
+    const Shape& shape = shapes[static_cast<std::size_t>(which)];
+    const bool depth = which == Neutral::NoShadow;
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = texture.depth ? depthFormat : colourFormat;
+    info.flags = shape.view == VK_IMAGE_VIEW_TYPE_CUBE ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
+    info.imageType = shape.image;
+    info.format = depth ? depthFormat : colourFormat;
     info.extent = {1, 1, 1};
     info.mipLevels = 1;
-    info.arrayLayers = 1;
+    info.arrayLayers = shape.layers;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     VkResult result = vkCreateImage(gpu.device, &info, nullptr, &texture.image);
     if (result != VK_SUCCESS) return vulkanError("vkCreateImage", result);
-    const char* name = texture.depth ? "tyndall empty shadow map" : "tyndall white texture";
-    setName(gpu, VK_OBJECT_TYPE_IMAGE, texture.image, name);
+    setName(gpu, VK_OBJECT_TYPE_IMAGE, texture.image, shape.name);
 
     VkMemoryRequirements requirements;
     vkGetImageMemoryRequirements(gpu.device, texture.image, &requirements);
@@ -34,19 +51,19 @@ Result<void> create(const Gpu& gpu, NeutralTexture& texture) {
         allocate.memoryTypeIndex = memoryType(gpu, requirements.memoryTypeBits, 0);
     result = vkAllocateMemory(gpu.device, &allocate, nullptr, &texture.memory);
     if (result != VK_SUCCESS) return vulkanError("vkAllocateMemory", result);
-    setName(gpu, VK_OBJECT_TYPE_DEVICE_MEMORY, texture.memory, name);
+    setName(gpu, VK_OBJECT_TYPE_DEVICE_MEMORY, texture.memory, shape.name);
     result = vkBindImageMemory(gpu.device, texture.image, texture.memory, 0);
     if (result != VK_SUCCESS) return vulkanError("vkBindImageMemory", result);
 
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view.image = texture.image;
-    view.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view.viewType = shape.view;
     view.format = info.format;
-    view.subresourceRange = wholeImage(texture.depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT);
+    view.subresourceRange = wholeImage(depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT);
     result = vkCreateImageView(gpu.device, &view, nullptr, &texture.view);
     if (result != VK_SUCCESS) return vulkanError("vkCreateImageView", result);
-    setName(gpu, VK_OBJECT_TYPE_IMAGE_VIEW, texture.view, name);
+    setName(gpu, VK_OBJECT_TYPE_IMAGE_VIEW, texture.view, shape.name);
     return {};
 }
 
@@ -57,8 +74,8 @@ void destroy(const Gpu& gpu, NeutralTexture& texture) {
     texture = {};
 }
 
-void recordFill(VkCommandBuffer commands, const NeutralTexture& texture) {
-    const VkImageAspectFlags aspect = texture.depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+void recordFill(VkCommandBuffer commands, const NeutralTexture& texture, bool depth) {
+    const VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     const VkImageSubresourceRange range = wholeImage(aspect);
     // An earlier draw may still read it.
     VkImageMemoryBarrier2 barrier = imageBarrier(texture.image, aspect);
@@ -69,7 +86,7 @@ void recordFill(VkCommandBuffer commands, const NeutralTexture& texture) {
     barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
     barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     recordBarrier(commands, barrier);
-    if (texture.depth) {
+    if (depth) {
         const VkClearDepthStencilValue nothing{0.0f, 0};
         vkCmdClearDepthStencilImage(commands, texture.image, barrier.newLayout, &nothing, 1, &range);
     } else {
@@ -87,12 +104,26 @@ void recordFill(VkCommandBuffer commands, const NeutralTexture& texture) {
 
 }  // namespace
 
+Neutral whiteTexture(permgen::ImageDimension dimension) {
+    switch (dimension) {
+        case permgen::ImageDimension::One:
+            return Neutral::White1d;
+        case permgen::ImageDimension::Three:
+            return Neutral::White3d;
+        case permgen::ImageDimension::Cube:
+            return Neutral::WhiteCube;
+        case permgen::ImageDimension::None:
+        case permgen::ImageDimension::Two:
+            break;
+    }
+    return Neutral::White;
+}
+
 Result<const NeutralTexture*> neutralTexture(const Gpu& gpu, NeutralTextures& textures, Neutral which,
                                              std::uint64_t& created) {
     NeutralTexture& texture = textures.textures[static_cast<std::size_t>(which)];
     if (texture.view) return &texture;
-    texture.depth = which == Neutral::NoShadow;
-    if (auto made = create(gpu, texture); !made) {
+    if (auto made = create(gpu, texture, which); !made) {
         destroy(gpu, texture);
         return tl::unexpected(made.error());
     }
@@ -101,8 +132,9 @@ Result<const NeutralTexture*> neutralTexture(const Gpu& gpu, NeutralTextures& te
 }
 
 void recordNeutralFill(VkCommandBuffer commands, const NeutralTextures& textures) {
-    for (const NeutralTexture& texture : textures.textures)
-        if (texture.view) recordFill(commands, texture);
+    for (std::size_t i = 0; i < textures.textures.size(); ++i)
+        if (textures.textures[i].view)
+            recordFill(commands, textures.textures[i], i == static_cast<std::size_t>(Neutral::NoShadow));
 }
 
 void destroyNeutralTextures(const Gpu& gpu, NeutralTextures& textures) {

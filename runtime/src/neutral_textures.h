@@ -1,6 +1,8 @@
-// 1x1 textures that leave a light as it is, for techniques that were forced on lights which lack what
-// they read.
+// Textures of one texel that change nothing: for techniques that were forced on lights which lack what they
+// read, and for samplers that a specialized module declares and does not read.
 #pragma once
+
+#include <permgen/tables.h>
 
 #include <array>
 
@@ -12,17 +14,22 @@ struct NeutralTexture {
     VkImage image = VK_NULL_HANDLE;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;
-    bool depth = false;
 };
 
 enum class Neutral : std::size_t {
     White,     ///< a cookie that lets all light through; noise of product 1
     NoShadow,  ///< a reversed shadow map with nothing in it
+    White1d,
+    White3d,
+    WhiteCube,
 };
 
 struct NeutralTextures {
-    std::array<NeutralTexture, 2> textures;  ///< by Neutral
+    std::array<NeutralTexture, 5> textures;  ///< by Neutral
 };
+
+/// The white texture of that dimension, which is not None.
+Neutral whiteTexture(permgen::ImageDimension dimension);
 
 /// The texture, made on first use (`created` then grows by one).
 Result<const NeutralTexture*> neutralTexture(const Gpu& gpu, NeutralTextures& textures, Neutral which,

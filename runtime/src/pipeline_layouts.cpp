@@ -14,8 +14,8 @@ VkDescriptorType descriptorType(permgen::ResourceKind kind) {
 
 Result<void> checkBound(std::span<const permgen::Resource* const> bound, std::string_view name) {
     if (bound.size() > maxBoundResources)
-        return invalidArgument("the technique " + std::string(name) + " binds more than " +
-                               std::to_string(maxBoundResources) + " resources; use fewer");
+        return invalidArgument(std::string(name) + " binds more than " + std::to_string(maxBoundResources) +
+                               " resources; use fewer");
     for (const permgen::Resource* resource : bound)
         if (resource->set != 0)
             return invalidArgument("the resource " + std::string(resource->name) + " of " + std::string(name) +
@@ -77,9 +77,11 @@ std::vector<const permgen::Resource*> boundResources(const permgen::Effect& effe
     return all;
 }
 
-Result<PassLayout> createLayout(const Gpu& gpu, std::vector<const permgen::Resource*> bound, std::string_view name) {
+Result<PassLayout> createLayout(const Gpu& gpu, const permgen::Pass& pass, std::vector<const permgen::Resource*> bound,
+                                std::string_view name) {
     if (auto checked = checkBound(bound, name); !checked) return tl::unexpected(checked.error());
     PassLayout layout;
+    layout.pass = &pass;
     layout.bound = std::move(bound);
     auto made = createSamplers(gpu, layout);
     if (made) made = createLayouts(gpu, layout, name);
@@ -103,26 +105,38 @@ bool binds(const PassLayout& layout, std::string_view resource) {
 }
 
 Result<std::uint32_t> pushResources(const Gpu& gpu, VkCommandBuffer commands, const PassLayout& layout,
-                                    const VkDescriptorBufferInfo& uniforms, std::span<const NamedImage> images) {
+                                    std::span<const NamedBuffer> buffers, std::span<const NamedImage> images,
+                                    const StandIns& standIns) {
     std::array<VkWriteDescriptorSet, maxBoundResources> writes{};
-    std::array<VkDescriptorImageInfo, maxBoundResources> infos{};
+    std::array<VkDescriptorBufferInfo, maxBoundResources> bufferInfos{};
+    std::array<VkDescriptorImageInfo, maxBoundResources> imageInfos{};
     std::uint32_t count = 0;
     for (const permgen::Resource* resource : layout.bound) {
+        const bool dead = !permgen::is_live(*layout.pass, resource->name);
         VkWriteDescriptorSet& write = writes[count];
         write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
         write.dstBinding = resource->binding;
         write.descriptorCount = 1;
         write.descriptorType = descriptorType(resource->kind);
         if (resource->kind == permgen::ResourceKind::UniformBuffer) {
-            write.pBufferInfo = &uniforms;
+            VkDescriptorBufferInfo& info = bufferInfos[count];
+            if (dead) info = {standIns.buffer.buffer, standIns.buffer.offset, resource->size};
+            for (const NamedBuffer& buffer : buffers)
+                if (buffer.block == resource->name && buffer.buffer.buffer) info = buffer.buffer;
+            if (!info.buffer)
+                return invalidArgument("the uniform block " + std::string(resource->name) + " has no buffer to read");
+            write.pBufferInfo = &info;
         } else {
-            const NamedImage* found = nullptr;
+            VkDescriptorImageInfo& info = imageInfos[count];
+            if (dead)
+                info = {VK_NULL_HANDLE, standIns.images[static_cast<std::size_t>(resource->dimension)],
+                        VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
             for (const NamedImage& image : images)
-                if (image.sampler == resource->name) found = &image;
-            if (!found || !found->view)
+                if (image.sampler == resource->name && image.view) info = {VK_NULL_HANDLE, image.view, image.layout};
+            if (!info.imageView)
                 return invalidArgument("the sampler " + std::string(resource->name) + " has no image to read");
-            infos[count] = {layout.samplers[count], found->view, found->layout};
-            write.pImageInfo = &infos[count];
+            info.sampler = layout.samplers[count];
+            write.pImageInfo = &info;
         }
         ++count;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <permgen/tables.h>
+#include <tyndall/pass_pipelines.h>
 
 #include <array>
 #include <span>
@@ -15,6 +16,7 @@ namespace tyndall {
 constexpr std::size_t maxBoundResources = 32;
 
 struct PassLayout {
+    const permgen::Pass* pass = nullptr;
     VkDescriptorSetLayout set = VK_NULL_HANDLE;
     VkPipelineLayout pipeline = VK_NULL_HANDLE;
     std::vector<const permgen::Resource*> bound;
@@ -26,22 +28,25 @@ struct PassLayout {
 std::vector<const permgen::Resource*> boundResources(const permgen::Effect& effect, const permgen::Pass& pass,
                                                      Shaders shaders);
 
-/// The layout of `bound` with push descriptors. Owns what it returns: destroyLayout().
-Result<PassLayout> createLayout(const Gpu& gpu, std::vector<const permgen::Resource*> bound, std::string_view name);
+/// The layout of `bound` with push descriptors, for `pass`, which messages call `name`. Owns what it returns:
+/// destroyLayout().
+Result<PassLayout> createLayout(const Gpu& gpu, const permgen::Pass& pass, std::vector<const permgen::Resource*> bound,
+                                std::string_view name);
 void destroyLayout(const Gpu& gpu, PassLayout& layout);
 
 bool binds(const PassLayout& layout, std::string_view resource);
 
-/// An image for a sampler of that name.
-struct NamedImage {
-    std::string_view sampler;
-    VkImageView view;
-    VkImageLayout layout;
+/// What is pushed for resources that a pass binds, does not read and was not given.
+struct StandIns {
+    VkDescriptorBufferInfo buffer{};      ///< as long as any such block
+    std::array<VkImageView, 5> images{};  ///< by permgen::ImageDimension
 };
 
-/// Pushes the uniform block (`uniforms`) and, of `images`, those that the layout binds. Returns how many
-/// descriptors that were. Errors: InvalidArgument where a bound sampler has no image of its name.
+/// Pushes, of `buffers` and `images`, those that the layout binds. Returns how many descriptors that were.
+/// Errors: InvalidArgument naming a bound resource that has neither a buffer or image of its name nor, where
+/// the pass does not read it, one in `standIns`.
 Result<std::uint32_t> pushResources(const Gpu& gpu, VkCommandBuffer commands, const PassLayout& layout,
-                                    const VkDescriptorBufferInfo& uniforms, std::span<const NamedImage> images);
+                                    std::span<const NamedBuffer> buffers, std::span<const NamedImage> images,
+                                    const StandIns& standIns = {});
 
 }  // namespace tyndall

@@ -1,47 +1,33 @@
-// Pipelines, made once for each (pass, target formats, comparison) when first asked for.
+// Pipelines, made once for each (pass, target, layout of the vertices) when first asked for.
 #pragma once
 
-#include <compare>
+#include <tyndall/pass_pipelines.h>
+
 #include <map>
 #include <span>
+#include <vector>
 
 #include "gpu_context.h"
 #include "pipeline_layouts.h"
 
 namespace tyndall {
 
-struct VertexElement {
-    std::string_view semantic;  ///< as permgen writes it: "TEXCOORD0"
-    std::uint32_t offset;       ///< bytes from the vertex's start
-    VkFormat format;
-};
-
-/// Where a pipeline draws. `compare` counts where the pass writes no ZFunc.
-struct PipelineTarget {
-    VkFormat colour = VK_FORMAT_UNDEFINED;
-    VkFormat depth = VK_FORMAT_UNDEFINED;
-    VkCompareOp compare = VK_COMPARE_OP_ALWAYS;
-    auto operator<=>(const PipelineTarget&) const = default;
-};
-
-struct Pipeline {
-    VkPipeline handle = VK_NULL_HANDLE;
-    const PassLayout* layout = nullptr;
-};
-
 struct PipelineStore {
+    struct Entry {
+        std::vector<VkVertexInputAttributeDescription> attributes;
+        PassPipeline pipeline;
+    };
     std::map<const permgen::Pass*, PassLayout> layouts;
-    std::map<std::pair<const permgen::Pass*, PipelineTarget>, Pipeline> pipelines;
+    std::map<std::pair<const permgen::Pass*, PassTarget>, std::vector<Entry>> pipelines;
 };
 
-/// The pipeline of the only pass of `technique`, which is one of `effect`'s. A store sees one kind of `shaders`
-/// for each effect. Vertices are one interleaved stream of `elements` whose stride
-/// is dynamic state, as are viewport and scissor. `created` grows by one where it had to be made.
-/// Errors: InvalidArgument where a state or a vertex semantic is unknown, UnsupportedDevice where the
-/// device cannot draw to a format, Vulkan.
-Result<Pipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
-                             const permgen::Technique& technique, Shaders shaders, const PipelineTarget& target,
-                             std::span<const VertexElement> elements, std::uint64_t& created);
+/// The pipeline of `pass`, which is one of `effect`'s. A store sees one kind of `shaders` for each effect.
+/// Vertices are one interleaved stream of `elements` whose stride is dynamic state, as are viewport and
+/// scissor. `created` grows by one where it had to be made.
+/// Errors: as PassPipelines::get().
+Result<PassPipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
+                                 const permgen::Pass& pass, Shaders shaders, const PassTarget& target,
+                                 std::span<const VertexElement> elements, std::uint64_t& created);
 
 void destroyPipelines(const Gpu& gpu, PipelineStore& store);
 

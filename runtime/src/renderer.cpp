@@ -4,9 +4,22 @@
 
 #include "barriers.h"
 #include "composite_data.h"
+#include "effect_contract.h"
+#include "effects.h"
 #include "renderer_impl.h"
 
 namespace tyndall {
+namespace {
+
+/// The caller's build of an effect, or else the one built in.
+Result<const permgen::Effect*> choose(const permgen::Effect* given, const permgen::Effect& builtIn,
+                                      const EffectContract& contract, Shaders shaders) {
+    if (!given) return &builtIn;
+    if (auto checked = checkEffect(*given, contract, shaders); !checked) return tl::unexpected(checked.error());
+    return given;
+}
+
+}  // namespace
 
 Renderer::Impl::~Impl() {
     destroyPipelines(gpu, pipelines);
@@ -21,8 +34,17 @@ Renderer::~Renderer() = default;
 Result<Renderer> Renderer::create(const DeviceContext& context) {
     const auto gpu = inspect(context);
     if (!gpu) return tl::unexpected(gpu.error());
+    const auto slices = choose(context.slices, effects::slices::effect, slicesContract(), context.shaders);
+    if (!slices) return tl::unexpected(slices.error());
+    const auto composite = choose(context.composite, effects::composite::effect, compositeContract(), Shaders::Frozen);
+    if (!composite) return tl::unexpected(composite.error());
+    const auto shadowMap = choose(context.shadowMap, effects::shadow_map::effect, shadowMapContract(), Shaders::Frozen);
+    if (!shadowMap) return tl::unexpected(shadowMap.error());
     auto impl = std::make_unique<Impl>();
     impl->gpu = *gpu;
+    impl->slices = *slices;
+    impl->composite = *composite;
+    impl->shadowMap = *shadowMap;
     return Renderer(std::move(impl));
 }
 
@@ -125,14 +147,6 @@ Result<void> Renderer::record(VkCommandBuffer commands, FrameData& frame, const 
         recordBarrier(commands, barrier);
     }
     return {};
-}
-
-void setViewport(VkCommandBuffer commands, VkExtent2D extent) {
-    const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
-                              0.0f, 1.0f};
-    const VkRect2D scissor{{0, 0}, extent};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
 void bindVertices(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize stride) {

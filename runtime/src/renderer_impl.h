@@ -14,6 +14,7 @@ namespace tyndall {
 
 struct Renderer::Impl {
     Gpu gpu;
+    const permgen::Effect *slices = nullptr, *composite = nullptr, *shadowMap = nullptr;
     PipelineStore pipelines;
     NeutralTextures neutral;
     RendererCounters counters;
@@ -21,7 +22,7 @@ struct Renderer::Impl {
     /// A light of the group being recorded, resolved before rendering begins.
     struct LightDraw {
         const PlannedLight* light = nullptr;
-        Pipeline pipeline;
+        PassPipeline pipeline;
         std::array<NamedImage, 3> images{};
     };
     std::vector<LightDraw> draws;  ///< kept between calls for its capacity
@@ -42,9 +43,6 @@ Result<FrameRange> placeValue(FrameData::Impl& frame, const Value& value, Render
     counters.bytesUploaded += sizeof value;
     return place(frame, std::as_bytes(std::span(&value, 1)));
 }
-
-/// Viewport and scissor over the whole of `extent`.
-void setViewport(VkCommandBuffer commands, VkExtent2D extent);
 
 void bindVertices(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize stride);
 

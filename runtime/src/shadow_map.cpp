@@ -3,17 +3,12 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "effects.h"
-#include "member_check.h"
+#include "effect_contract.h"
 #include "renderer_impl.h"
+#include "rendering.h"
 
 namespace tyndall {
 namespace {
-
-static_assert(memberIs(effects::shadow_map::effect, "gClipFromMesh", 0, sizeof(glm::mat4)));
-static_assert(blockIs(effects::shadow_map::effect, sizeof(glm::mat4)));
-
-constexpr std::array<VertexElement, 1> occluderElements{{{"POSITION0", 0, VK_FORMAT_R32G32B32_SFLOAT}}};
 
 Result<void> checkShadowMap(const Light& light, std::span<const Occluder> occluders, VkImageView map,
                             std::uint32_t size) {
@@ -46,26 +41,17 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
     if (!data) return tl::unexpected(data.error());
     if (auto checked = checkShadowMap(light, occluders, map, size); !checked) return checked;
     RendererCounters& counters = impl_->counters;
-    const permgen::Technique& technique = effects::shadow_map::effect.techniques[0];
+    const EffectContract& contract = shadowMapContract();
+    const permgen::Technique* technique = permgen::find_technique(*impl_->shadowMap, contract.techniques[0]);
     const auto pipeline =
-        pipelineFor(impl_->gpu, impl_->pipelines, effects::shadow_map::effect, technique, Shaders::Frozen,
-                    {VK_FORMAT_UNDEFINED, format, VK_COMPARE_OP_GREATER}, occluderElements, counters.pipelinesCreated);
+        pipelineFor(impl_->gpu, impl_->pipelines, *impl_->shadowMap, technique->passes[0], Shaders::Frozen,
+                    {.depth = format, .compare = VK_COMPARE_OP_GREATER}, contract.elements, counters.pipelinesCreated);
     if (!pipeline) return tl::unexpected(pipeline.error());
 
-    VkRenderingAttachmentInfo depth{};
-    depth.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    depth.imageView = map;
-    depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-    depth.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    depth.clearValue.depthStencil.depth = 0.0f;
-    VkRenderingInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.renderArea = {{0, 0}, {size, size}};
-    rendering.layerCount = 1;
-    rendering.pDepthAttachment = &depth;
-    vkCmdBeginRendering(commands, &rendering);
-    setViewport(commands, {size, size});
+    // Cleared to 0, the far plane: depth is reversed.
+    const VkRenderingAttachmentInfo depth =
+        attachment(map, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
+    beginRendering(commands, {size, size}, nullptr, &depth);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
 
     // In double all the way: far from the origin, world coordinates in float would be off by millimetres.
@@ -76,8 +62,8 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
         const glm::mat4 clipFromMesh(clipFromWorld * occluder.worldFromMesh);
         const auto constants = placeValue(**data, clipFromMesh, counters);
         const auto pushed = constants.and_then([&](const FrameRange& range) {
-            return pushResources(impl_->gpu, commands, *pipeline->layout,
-                                 {range.buffer, range.offset, sizeof clipFromMesh}, {});
+            const NamedBuffer block{globalsBlock, {range.buffer, range.offset, sizeof clipFromMesh}};
+            return pushResources(impl_->gpu, commands, *pipeline->layout, std::span(&block, 1), {});
         });
         if (!pushed) {
             drawn = tl::unexpected(pushed.error());

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "effects.h"
+
 namespace tyndall::test {
 namespace {
 
@@ -28,6 +30,9 @@ Gpu& gpu() {
             throw std::runtime_error("these tests hold pictures against lavapipe, and this device is " +
                                      std::string(device.name()) + "; install Mesa's Vulkan drivers");
         DeviceContext context{device.physicalDevice(), device.device(), VK_NULL_HANDLE, Shaders::Frozen};
+        context.slices = effectUnderTest("slices");
+        context.composite = effectUnderTest("composite");
+        context.shadowMap = effectUnderTest("shadow_map");
         Renderer frozen = must(Renderer::create(context));
         context.shaders = Shaders::Specialized;
         Renderer specialized = must(Renderer::create(context));

@@ -200,19 +200,21 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
         drawShadowMaps(device, *renderer, shadowData, planned, *gpu, shafts.shadowSize, frame.statistics.shadowMaps);
     if (!maps) return tl::unexpected(maps.error());
 
-    SurfacePipelines pipelines(device, colourFormat, depthFormat);
-    auto surfaces = prepareSurfaces(device, pipelines, planned.scene, *gpu, planned.view, planned.lights, maps->views,
-                                    shafts.shadowSize, view.layer == Layer::All);
+    auto pipelines = surfacePipelines(device);
+    if (!pipelines) return tl::unexpected(pipelines.error());
+    auto surfaces = prepareSurfaces(device, *pipelines, colourFormat, depthFormat, planned.scene, *gpu, planned.view,
+                                    planned.lights, maps->views, shafts.shadowSize, view.layer == Layer::All);
     if (!surfaces) return tl::unexpected(surfaces.error());
-    const auto drawn = headless::submitAndWait(device, [&](VkCommandBuffer commands) {
+    const auto drawn = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
         headless::transition(commands, targets->colour, VK_IMAGE_LAYOUT_UNDEFINED,
                              VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
         headless::transition(commands, targets->depth, VK_IMAGE_LAYOUT_UNDEFINED,
                              VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-        recordSurfaces(commands, pipelines, *surfaces, planned.scene, *gpu,
-                       {targets->colour.extent(), targets->colour.view(), targets->depth.view()});
+        auto recorded = recordSurfaces(commands, *pipelines, *surfaces, planned.scene, *gpu,
+                                       {targets->colour.extent(), targets->colour.view(), targets->depth.view()});
         headless::transition(commands, targets->depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                              VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+        return recorded;
     });
     if (!drawn) return fail("the surfaces: {}", drawn.error().message);
     frame.statistics.surfaces = *drawn;
@@ -230,7 +232,7 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
     frame.statistics.shafts.pipelinesCreated = renderer->counters().pipelinesCreated;
     frame.statistics.shafts.bytesUploaded = renderer->counters().bytesUploaded;
     frame.statistics.surfaceDraws = surfaces->draws.size();
-    frame.statistics.surfacePipelines = pipelines.count();
+    frame.statistics.surfacePipelines = pipelines->count();
     frame.statistics.frameDataBytes = shadowData.memory() + shaftData.memory();
     frame.statistics.deviceBytes = device.peakMemoryAllocated() + frame.statistics.frameDataBytes;
     auto picture = readPicture(device, targets->colour);

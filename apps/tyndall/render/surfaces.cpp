@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -17,6 +18,13 @@ namespace {
 constexpr double ambientShare = 0.02;
 /// Ambient light from below, of that from above.
 constexpr float groundShare = 0.4f;
+
+constexpr std::array<VertexElement, 3> elements{{{"POSITION0", offsetof(Vertex, position), VK_FORMAT_R32G32B32_SFLOAT},
+                                                 {"NORMAL0", offsetof(Vertex, normal), VK_FORMAT_R32G32B32_SFLOAT},
+                                                 {"TEXCOORD0", offsetof(Vertex, uv), VK_FORMAT_R32G32_SFLOAT}}};
+
+/// permgen's name for the block of scene.fx's global variables.
+constexpr std::string_view globals = "Globals";
 
 /// Writes members of the effect's uniform block by name, where its layout has put them.
 class Uniforms {
@@ -40,10 +48,10 @@ private:
     std::span<std::byte> bytes_;
 };
 
-std::uint32_t blockBytes() {
-    for (const permgen::Resource& resource : scene_effect::effect.resources)
-        if (resource.kind == permgen::ResourceKind::UniformBuffer) return resource.size;
-    return 0;
+constexpr std::uint32_t blockBytes = permgen::find_resource(scene_effect::effect, globals)->size;
+
+NamedImage named(std::string_view sampler, VkImageView view) {
+    return {sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 }
 
 /// Radiance that a white surface sends back under ambient light.
@@ -100,14 +108,21 @@ std::string lightTechnique(bool shadow, bool cookie, bool texture) {
 
 }  // namespace
 
-Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, SurfacePipelines& pipelines, const Scene& scene,
-                                     const GpuScene& gpu, const View& view, std::span<const Light> lights,
-                                     std::span<const VkImageView> shadowMaps, std::uint32_t shadowSize, bool lit) {
+Outcome<PassPipelines> surfacePipelines(const headless::Device& device) {
+    auto pipelines = PassPipelines::create({device.physicalDevice(), device.device()}, scene_effect::effect);
+    if (!pipelines) return fail("the surfaces: {}", pipelines.error().message);
+    return std::move(*pipelines);
+}
+
+Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour,
+                                     VkFormat depth, const Scene& scene, const GpuScene& gpu, const View& view,
+                                     std::span<const Light> lights, std::span<const VkImageView> shadowMaps,
+                                     std::uint32_t shadowSize, bool lit) {
     SurfacePass pass;
     if (scene.instances.empty()) return pass;
     const VkDeviceSize alignment =
         std::max<VkDeviceSize>(device.properties().limits.minUniformBufferOffsetAlignment, 16);
-    const VkDeviceSize block = (blockBytes() + alignment - 1) / alignment * alignment;
+    const VkDeviceSize block = (blockBytes + alignment - 1) / alignment * alignment;
     const std::size_t perInstance = 1 + (lit ? lights.size() : 0);
     auto buffer =
         headless::Buffer::create(device, block * perInstance * scene.instances.size(),
@@ -124,32 +139,35 @@ Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, SurfacePipe
             const MeshInstance& instance = scene.instances[i];
             const Material& material = scene.meshes[instance.mesh].material;
             const bool textured = material.baseTexture.has_value() && lit;
-            Uniforms uniforms(mapped.subspan(offset, blockBytes()));
+            Uniforms uniforms(mapped.subspan(offset, blockBytes));
             setSurface(uniforms, instance, material, view, lit, ambient);
             SurfaceDraw draw;
             draw.instance = i;
-            draw.uniforms = {pass.uniforms.handle(), offset, blockBytes()};
-            if (textured) draw.images.push_back({"BaseColourSampler", gpu.images[*material.baseTexture].view()});
+            draw.uniforms = {pass.uniforms.handle(), offset, blockBytes};
+            if (textured) draw.images.push_back(named("BaseColourSampler", gpu.images[*material.baseTexture].view()));
             std::string technique = textured ? "base_texture_technique" : "base_notexture_technique";
             if (drawn > 0) {
                 const std::size_t l = drawn - 1;
                 setLight(uniforms, lights[l], view, shadowSize);
                 const bool shadow = shadowMaps[l] != VK_NULL_HANDLE;
                 const std::optional<std::size_t> cookie = scene.lights[l].cookie;
-                if (shadow) draw.images.push_back({"ShadowMapSampler", shadowMaps[l]});
-                if (cookie) draw.images.push_back({"CookieSampler", gpu.images[*cookie].view()});
+                if (shadow) draw.images.push_back(named("ShadowMapSampler", shadowMaps[l]));
+                if (cookie) draw.images.push_back(named("CookieSampler", gpu.images[*cookie].view()));
                 technique = lightTechnique(shadow, cookie.has_value(), textured);
             }
-            auto pipeline = pipelines.get(technique);
-            if (!pipeline) return tl::unexpected(pipeline.error());
+            // How a mesh is culled is its own affair; depth is reversed.
+            const PassTarget target{.colours = {colour}, .depth = depth, .dynamicCulling = true};
+            const auto pipeline =
+                pipelines.get(permgen::find_technique(scene_effect::effect, technique)->passes[0], target, elements);
+            if (!pipeline) return fail("the surfaces: {}", pipeline.error().message);
             draw.pipeline = *pipeline;
             pass.draws.push_back(std::move(draw));
         }
     return pass;
 }
 
-void recordSurfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfacePass& pass,
-                    const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets) {
+Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,
+                            const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets) {
     VkRenderingAttachmentInfo colour{};
     colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
     colour.imageView = targets.colour;
@@ -174,19 +192,23 @@ void recordSurfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines,
     for (const SurfaceDraw& draw : pass.draws) {
         const MeshInstance& instance = scene.instances[draw.instance];
         const Mesh& mesh = scene.meshes[instance.mesh];
-        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline->handle);
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.handle);
         vkCmdSetCullMode(commands, mesh.material.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
         // glTF's front faces are counter-clockwise, mirrored instances' clockwise. Vulkan judges winding with
         // y pointing down, and the projection turns y over to match, so the picture's own winding counts.
         const bool mirrored = glm::determinant(glm::dmat3(instance.worldFromMesh)) < 0.0;
         vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-        pipelines.push(commands, *draw.pipeline, draw.uniforms, draw.images);
-        vkCmdBindVertexBuffers(commands, 0, 1, &gpu.occluders[draw.instance].vertices,
-                               &gpu.occluders[draw.instance].vertexOffset);
+        const NamedBuffer block{globals, draw.uniforms};
+        if (auto pushed = pipelines.push(commands, draw.pipeline, std::span(&block, 1), draw.images); !pushed)
+            return tl::unexpected(pushed.error());
+        const Occluder& vertices = gpu.occluders[draw.instance];
+        constexpr VkDeviceSize stride = sizeof(Vertex);
+        vkCmdBindVertexBuffers2(commands, 0, 1, &vertices.vertices, &vertices.vertexOffset, nullptr, &stride);
         vkCmdBindIndexBuffer(commands, gpu.indices.handle(), gpu.indexOffset[instance.mesh], VK_INDEX_TYPE_UINT32);
         vkCmdDrawIndexed(commands, static_cast<std::uint32_t>(mesh.indices.size()), 1, 0, 0, 0);
     }
     vkCmdEndRendering(commands);
+    return {};
 }
 
 }  // namespace tyndall::app

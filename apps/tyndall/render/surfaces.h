@@ -2,14 +2,16 @@
 #pragma once
 
 #include <headless/buffer.h>
+#include <headless/device.h>
+#include <tyndall/pass_pipelines.h>
 #include <tyndall/view.h>
 
 #include <span>
 #include <vector>
 
+#include "../outcome.h"
 #include "../scene/scene.h"
 #include "gpu_scene.h"
-#include "surface_pipelines.h"
 
 namespace tyndall::app {
 
@@ -21,10 +23,10 @@ struct SurfaceTargets {
 
 /// What one draw reads, prepared before recording.
 struct SurfaceDraw {
-    const SurfacePipeline* pipeline = nullptr;
+    PassPipeline pipeline;
     std::size_t instance = 0;
     VkDescriptorBufferInfo uniforms{};
-    std::vector<BoundImage> images;
+    std::vector<NamedImage> images;
 };
 
 struct SurfacePass {
@@ -32,13 +34,18 @@ struct SurfacePass {
     std::vector<SurfaceDraw> draws;
 };
 
-/// Prepares one base draw and one draw a light for each instance; without `lit`, surfaces are black and
-/// only hide what is behind them. `shadowMaps` holds a view for each light, null where it has none.
-Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, SurfacePipelines& pipelines, const Scene& scene,
-                                     const GpuScene& gpu, const View& view, std::span<const Light> lights,
-                                     std::span<const VkImageView> shadowMaps, std::uint32_t shadowSize, bool lit);
+/// The pipelines of scene.fx.
+Outcome<PassPipelines> surfacePipelines(const headless::Device& device);
 
-void recordSurfaces(VkCommandBuffer commands, const SurfacePipelines& pipelines, const SurfacePass& pass,
-                    const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets);
+/// Prepares one base draw and one draw a light for each instance; without `lit`, surfaces are black and
+/// only hide what is behind them. `shadowMaps` holds a view for each light, null where it has none. The
+/// pipelines draw into targets of those two formats.
+Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour,
+                                     VkFormat depth, const Scene& scene, const GpuScene& gpu, const View& view,
+                                     std::span<const Light> lights, std::span<const VkImageView> shadowMaps,
+                                     std::uint32_t shadowSize, bool lit);
+
+Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,
+                            const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets);
 
 }  // namespace tyndall::app

@@ -1,18 +1,17 @@
 // What the slice shaders read, as bytes. shaders/slices.fx says what each value means;
-// src/slice_data.cpp asserts at compile time that both agree.
+// src/effect_contract.cpp asserts at compile time that both agree.
 #pragma once
 
 #include <cstdint>
-
 #include <glm/glm.hpp>
 
 namespace tyndall {
 
 /// One vertex of a slice; 20 bytes.
 struct SliceVertex {
-    glm::vec3 position;        ///< metres in view space (exact polygons) or unit cube (stretched quads)
-    float thickness;           ///< of the slab: metres (exact polygons) or share of the extent (stretched quads)
-    std::uint32_t channelMask; ///< RGBA8 unorm, red in the lowest byte
+    glm::vec3 position;         ///< metres in view space (exact polygons) or unit cube (stretched quads)
+    float thickness;            ///< of the slab: metres (exact polygons) or share of the extent (stretched quads)
+    std::uint32_t channelMask;  ///< RGBA8 unorm, red in the lowest byte
 };
 static_assert(sizeof(SliceVertex) == 20);
 

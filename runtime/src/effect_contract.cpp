@@ -1,0 +1,155 @@
+#include "effect_contract.h"
+
+#include <tyndall/plan.h>
+#include <tyndall/slice_data.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "composite_data.h"
+#include "effects.h"
+#include "gpu_context.h"
+
+namespace tyndall {
+namespace {
+
+constexpr BlockMember sliceMembers[] = {
+    {"gClipFromView", offsetof(SliceConstants, clipFromView), 64},
+    {"gLightFromView", offsetof(SliceConstants, lightFromView), 64},
+    {"gBoundsMin", offsetof(SliceConstants, boundsMin), 16},
+    {"gBoundsMax", offsetof(SliceConstants, boundsMax), 16},
+    {"gClipPlanes", offsetof(SliceConstants, clipPlanes), 128},
+    {"gCookieScale", offsetof(SliceConstants, cookieScale), 16},
+    {"gAttenuation", offsetof(SliceConstants, attenuation), 16},
+    {"gDust", offsetof(SliceConstants, dust), 16},
+    {"gNoise1", offsetof(SliceConstants, noise1), 16},
+    {"gNoise2", offsetof(SliceConstants, noise2), 16},
+    {"gColour", offsetof(SliceConstants, colour), 16},
+    {"gWeight", offsetof(SliceConstants, weight), 16},
+    {"gShadow", offsetof(SliceConstants, shadow), 16},
+};
+constexpr std::string_view sliceSamplers[] = {"CookieSampler", "ScrollingNoiseSampler", "ShadowMapSampler"};
+constexpr std::string_view sliceTechniques[] = {
+    "clip_noise_shadow_cookie_technique",     "clip_noise_shadow_nocookie_technique",
+    "clip_noise_noshadow_cookie_technique",   "clip_noise_noshadow_nocookie_technique",
+    "clip_nonoise_shadow_cookie_technique",   "clip_nonoise_shadow_nocookie_technique",
+    "clip_nonoise_noshadow_cookie_technique", "clip_nonoise_noshadow_nocookie_technique",
+};
+constexpr VertexElement sliceElements[] = {
+    {"POSITION0", offsetof(SliceVertex, position), VK_FORMAT_R32G32B32_SFLOAT},
+    {"TEXCOORD0", offsetof(SliceVertex, thickness), VK_FORMAT_R32_SFLOAT},
+    {"COLOR0", offsetof(SliceVertex, channelMask), VK_FORMAT_R8G8B8A8_UNORM},
+};
+constexpr EffectContract slices{"slices.fx",   sliceMembers, sizeof(SliceConstants), sliceSamplers, sliceTechniques,
+                                sliceElements, true};
+
+constexpr BlockMember compositeMembers[] = {
+    {"gTint", offsetof(CompositeConstants, tint), 16},
+    {"gTexel", offsetof(CompositeConstants, texel), 16},
+    {"gDepth", offsetof(CompositeConstants, depth), 16},
+};
+constexpr std::string_view compositeSamplers[] = {"AccumulationSampler", "SceneDepthSampler"};
+constexpr std::string_view compositeTechniques[] = {"plain_noblur_technique", "plain_blur_technique",
+                                                    "routed_noblur_technique", "routed_blur_technique"};
+constexpr VertexElement screenElements[] = {{"POSITION0", 0, VK_FORMAT_R32G32_SFLOAT}};
+constexpr EffectContract composite{"composite.fx",
+                                   compositeMembers,
+                                   sizeof(CompositeConstants),
+                                   compositeSamplers,
+                                   compositeTechniques,
+                                   screenElements,
+                                   true};
+
+constexpr BlockMember shadowMapMembers[] = {{"gClipFromMesh", 0, sizeof(glm::mat4)}};
+constexpr std::string_view shadowMapTechniques[] = {"shadow_map_technique"};
+constexpr VertexElement occluderElements[] = {{"POSITION0", 0, VK_FORMAT_R32G32B32_SFLOAT}};
+constexpr EffectContract shadowMap{
+    "shadow_map.fx", shadowMapMembers, sizeof(glm::mat4), {}, shadowMapTechniques, occluderElements, false};
+
+/// The first constant that does not lie where the contract says, empty where all do.
+constexpr std::string_view misplaced(const permgen::Effect& effect, const EffectContract& contract) {
+    for (const BlockMember& expected : contract.members) {
+        const permgen::Member* member = permgen::find_member(effect, expected.name);
+        if (!member || member->offset != expected.offset || member->size != expected.size) return expected.name;
+    }
+    return {};
+}
+
+/// True where there is no more in the block than the contract says.
+constexpr bool blockFits(const permgen::Effect& effect, const EffectContract& contract) {
+    const permgen::Resource* block = permgen::find_resource(effect, globalsBlock);
+    return block && block->size == contract.blockSize && effect.members.size() == contract.members.size();
+}
+
+static_assert(misplaced(effects::slices::effect, slices).empty(), "slices.fx moved a constant");
+static_assert(blockFits(effects::slices::effect, slices), "slices.fx and SliceConstants differ in size");
+static_assert(misplaced(effects::composite::effect, composite).empty(), "composite.fx moved a constant");
+static_assert(blockFits(effects::composite::effect, composite), "composite.fx and CompositeConstants differ in size");
+static_assert(misplaced(effects::shadow_map::effect, shadowMap).empty(), "shadow_map.fx moved its constant");
+static_assert(blockFits(effects::shadow_map::effect, shadowMap), "shadow_map.fx holds more than one matrix");
+
+Result<void> checkResources(const permgen::Effect& effect, const EffectContract& contract, const std::string& whose) {
+    if (const std::string_view name = misplaced(effect, contract); !name.empty())
+        return invalidArgument(whose + "has no constant " + std::string(name) +
+                               " where this library writes it; declare its constants as " + std::string(contract.file) +
+                               " of this version does");
+    if (!blockFits(effect, contract))
+        return invalidArgument(whose + "has constants that this library does not write; declare them as " +
+                               std::string(contract.file) + " of this version does");
+    for (const permgen::Resource& resource : effect.resources) {
+        if (resource.name == globalsBlock) continue;
+        const bool known = std::ranges::find(contract.samplers, resource.name) != contract.samplers.end();
+        if (!known || resource.dimension != permgen::ImageDimension::Two)
+            return invalidArgument(whose + "reads " + std::string(resource.name) +
+                                   ", which this library has nothing to bind to; remove it");
+    }
+    return {};
+}
+
+Result<void> checkTechnique(const permgen::Technique& technique, const EffectContract& contract, Shaders shaders,
+                            const std::string& whose) {
+    const std::string name = std::string(technique.name);
+    if (technique.passes.size() != 1)
+        return invalidArgument(whose + "has " + std::to_string(technique.passes.size()) + " passes in " + name +
+                               "; this library draws one");
+    const permgen::Pass& pass = technique.passes[0];
+    if (!pass.vertex.module || (contract.pixels && !pass.pixel.module))
+        return invalidArgument(whose + "lacks a shader in " + name + "; give the pass one");
+    const bool thawed = pass.vertex.frozen.empty() || (pass.pixel.module && pass.pixel.frozen.empty());
+    if (shaders == Shaders::Frozen && thawed)
+        return invalidArgument(whose + "has no frozen modules; compile it with permgen's --freeze");
+    for (const permgen::Attribute& attribute : pass.vertex.module->attributes) {
+        const auto known = [&](const VertexElement& element) { return element.semantic == attribute.semantic; };
+        if (std::ranges::none_of(contract.elements, known))
+            return invalidArgument(whose + "reads " + std::string(attribute.semantic) + " in " + name +
+                                   ", which the vertices do not have");
+    }
+    return {};
+}
+
+}  // namespace
+
+const EffectContract& slicesContract() {
+    return slices;
+}
+const EffectContract& compositeContract() {
+    return composite;
+}
+const EffectContract& shadowMapContract() {
+    return shadowMap;
+}
+
+Result<void> checkEffect(const permgen::Effect& effect, const EffectContract& contract, Shaders shaders) {
+    const std::string whose =
+        "the effect " + std::string(effect.name) + ", given for " + std::string(contract.file) + ", ";
+    if (auto checked = checkResources(effect, contract, whose); !checked) return checked;
+    for (const std::string_view name : contract.techniques) {
+        const permgen::Technique* technique = permgen::find_technique(effect, name);
+        if (!technique) return invalidArgument(whose + "has no technique " + std::string(name) + "; give it one");
+        if (auto checked = checkTechnique(*technique, contract, shaders, whose); !checked) return checked;
+    }
+    return {};
+}
+
+}  // namespace tyndall

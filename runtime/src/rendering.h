@@ -1,0 +1,36 @@
+// Beginning to draw into attachments.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+namespace tyndall {
+
+/// An attachment that starts at zero where `load` clears, and is kept.
+inline VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, VkAttachmentLoadOp load) {
+    VkRenderingAttachmentInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    info.imageView = view;
+    info.imageLayout = layout;
+    info.loadOp = load;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    return info;
+}
+
+/// Begins rendering over the whole of `extent`, viewport and scissor included. Either attachment may be null.
+inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachmentInfo* colour,
+                           const VkRenderingAttachmentInfo* depth) {
+    VkRenderingInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    rendering.renderArea = {{0, 0}, extent};
+    rendering.layerCount = 1;
+    rendering.colorAttachmentCount = colour ? 1 : 0;
+    rendering.pColorAttachments = colour;
+    rendering.pDepthAttachment = depth;
+    vkCmdBeginRendering(commands, &rendering);
+    const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
+                              0.0f, 1.0f};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
+}
+
+}  // namespace tyndall
