@@ -5,6 +5,7 @@
 
 #include "command/command_line.h"
 #include "command/commands.h"
+#include "progress.h"
 
 namespace {
 
@@ -18,6 +19,10 @@ int fails(int status, const std::string& sentence) {
 Outcome<Said> run(const Request& request) {
     if (const auto* options = std::get_if<RenderOptions>(&request)) return render(*options);
     if (const auto* options = std::get_if<ExplainOptions>(&request)) return explain(*options);
+    if (const auto* options = std::get_if<ReferenceOptions>(&request)) {
+        Watch watch("reference");
+        return reference(*options, [&watch](double share) { return watch.report(share); });
+    }
     if (const auto* options = std::get_if<CompareOptions>(&request)) return compare(*options);
     return Said{std::get<Help>(request).text, {}};
 }

@@ -1,6 +1,7 @@
 // What can be asked of the program, after the command line was understood.
 #pragma once
 
+#include <study/reference.h>
 #include <tyndall/plan.h>
 
 #include <cstdint>
@@ -55,6 +56,16 @@ struct ExplainOptions {
     ViewOptions view;
     ShaftOptions shafts;
     bool json = false;
+};
+
+struct ReferenceOptions {
+    ViewOptions view;  ///< its layer is not looked at: a reference is of the shafts alone
+    std::string output;
+    study::Mode mode = study::Mode::Ideal;
+    double accuracy = 1e-8;
+    unsigned threads = 0;
+    std::uint32_t shadowSize = 1024;  ///< hardware mode
+    std::optional<std::string> stats;
 };
 
 /// What a picture may be off by; absent: anything.

@@ -10,6 +10,7 @@ struct Written {
     std::string size = "640x360";
     RenderOptions render;
     ExplainOptions explain;
+    ReferenceOptions reference;
     CompareOptions compare;
 };
 
@@ -43,6 +44,8 @@ Outcome<Request> parseCommandLine(int argc, const char* const* argv) {
     addRender(*render, written.render, written.size);
     CLI::App* explain = app.add_subcommand("explain", "says what would be drawn, and why");
     addExplain(*explain, written.explain, written.size);
+    CLI::App* reference = app.add_subcommand("reference", "computes a scene's shafts to many digits");
+    addReference(*reference, written.reference, written.size);
     CLI::App* compare = app.add_subcommand("compare", "says how far a picture is from its reference");
     addCompare(*compare, written.compare);
 
@@ -51,7 +54,7 @@ Outcome<Request> parseCommandLine(int argc, const char* const* argv) {
     } catch (const CLI::CallForVersion& version) {
         return Help{version.what()};
     } catch (const CLI::Success& asked) {  // --help
-        for (const CLI::App* command : {render, explain, compare})
+        for (const CLI::App* command : {render, explain, reference, compare})
             if (command->parsed()) return Help{command->help("tyndall")};
         return Help{app.help()};
     } catch (const CLI::ParseError& wrong) {
@@ -59,8 +62,11 @@ Outcome<Request> parseCommandLine(int argc, const char* const* argv) {
     }
 
     if (compare->parsed()) return accept(checkCompare(written.compare), written.compare);
-    ViewOptions& view = render->parsed() ? written.render.view : written.explain.view;
+    ViewOptions& view = render->parsed()    ? written.render.view
+                        : explain->parsed() ? written.explain.view
+                                            : written.reference.view;
     if (auto checked = checkView(view, written.size); !checked) return tl::unexpected(checked.error());
+    if (reference->parsed()) return accept(checkReference(written.reference), written.reference);
     if (explain->parsed()) return accept(checkShafts(written.explain.shafts), written.explain);
     auto checked = checkRender(written.render, render->count("--output") > 0);
     return accept(std::move(checked), written.render);

@@ -13,7 +13,7 @@ struct Help {
     std::string text;
 };
 
-using Request = std::variant<RenderOptions, ExplainOptions, CompareOptions, Help>;
+using Request = std::variant<RenderOptions, ExplainOptions, ReferenceOptions, CompareOptions, Help>;
 
 /// Errors: the command line is wrong, and how to say it right.
 Outcome<Request> parseCommandLine(int argc, const char* const* argv);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../options.h"
+#include "../progress.h"
 
 namespace tyndall::app {
 
@@ -19,6 +20,8 @@ struct Said {
 
 Outcome<Said> render(const RenderOptions& options);
 Outcome<Said> explain(const ExplainOptions& options);
+/// `progress` is asked now and then whether to go on.
+Outcome<Said> reference(const ReferenceOptions& options, const Progress& progress);
 Outcome<Said> compare(const CompareOptions& options);
 
 }  // namespace tyndall::app

@@ -1,8 +1,6 @@
 #include "plan_scene.h"
 
 #include "../render/automatic_range.h"
-#include "../render/scene_view.h"
-#include "../scene/load_scene.h"
 
 namespace tyndall::app {
 namespace {
@@ -29,15 +27,9 @@ Outcome<Plan> makePlan(const PlannedScene& planned, const ViewOptions& view, con
 }  // namespace
 
 Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts) {
-    auto scene = loadScene(view.scene, view.time);
-    if (!scene) return tl::unexpected(scene.error());
-    PlannedScene planned;
-    planned.scene = std::move(*scene);
-    auto camera = chooseCamera(planned.scene, view.camera);
-    if (!camera) return tl::unexpected(camera.error());
-    planned.camera = *camera;
-    planned.view = viewFrom(**camera, view.size);
-    planned.lights = callForShadows(planned.scene);
+    auto viewed = viewScene(view);
+    if (!viewed) return tl::unexpected(viewed.error());
+    PlannedScene planned{std::move(*viewed), 1.0, {}};
     if (eightBits(shafts.accumulation))
         planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts);
     auto made = makePlan(planned, view, shafts);

@@ -3,19 +3,12 @@
 
 #include <tyndall/plan.h>
 
-#include <vector>
-
-#include "../options.h"
-#include "../scene/scene.h"
+#include "view_scene.h"
 
 namespace tyndall::app {
 
-struct PlannedScene {
-    Scene scene;
-    const Camera* camera = nullptr;  ///< in scene.cameras
-    View view;
-    std::vector<Light> lights;  ///< as planned, in the order of scene.lights
-    double range = 1.0;         ///< of 8-bit targets
+struct PlannedScene : ViewedScene {
+    double range = 1.0;  ///< of 8-bit targets
     Plan plan;
 };
 

@@ -4,29 +4,16 @@
 
 #include "../image/write_picture.h"
 #include "../render/render_scene.h"
+#include "check_outputs.h"
 #include "commands.h"
 #include "report.h"
 
 namespace tyndall::app {
 
-namespace {
-
-/// Statistics must not take the place of the scene or of the picture.
-Outcome<void> checkStatistics(const std::string& stats, const RenderOptions& options) {
-    if (auto open = checkWritable(stats); !open) return open;
-    if (sameFile(stats, options.view.scene)) return fail("--stats: {} is the scene; name another file", stats);
-    if (sameFile(stats, options.output)) return fail("--stats: {} is the picture's file; name another one", stats);
-    return {};
-}
-
-}  // namespace
-
 Outcome<Said> render(const RenderOptions& options) {
     // What can be known to fail is asked first: rendering takes seconds.
-    if (auto open = checkWritable(options.output); !open) return tl::unexpected(open.error());
-    if (options.stats)
-        if (auto checked = checkStatistics(*options.stats, options); !checked) return tl::unexpected(checked.error());
-
+    if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
+        return tl::unexpected(checked.error());
     auto planned = planScene(options.view, options.shafts);
     if (!planned) return tl::unexpected(planned.error());
     auto device = headless::Device::create({.validation = options.validate});

@@ -1,23 +1,15 @@
 #include "report.h"
 
-#include <sys/resource.h>
-
 #include <cmath>
 #include <numbers>
 
+#include "peak_memory.h"
 #include "words.h"
 
 namespace tyndall::app {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-/// Most memory that this process ever had in RAM; Linux counts it in KiB.
-std::uint64_t peakResidentBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
 
 double milliseconds(double value) {
     return std::round(value * 1000.0) / 1000.0;

@@ -1,6 +1,7 @@
 // Names of settings as the command line and the statistics spell them.
 #pragma once
 
+#include <study/reference.h>
 #include <tyndall/plan.h>
 
 #include <array>
@@ -21,6 +22,7 @@ constexpr Words<Accumulation, 4> accumulationWords{{{"rgba8", Accumulation::Rgba
 constexpr Words<Geometry, 2> geometryWords{
     {{"polygons", Geometry::ExactPolygons}, {"quads", Geometry::StretchedQuads}}};
 constexpr Words<Look, 2> lookWords{{{"physical", Look::Physical}, {"article", Look::Article}}};
+constexpr Words<study::Mode, 2> modeWords{{{"ideal", study::Mode::Ideal}, {"hardware", study::Mode::Hardware}}};
 constexpr Words<Layer, 2> layerWords{{{"all", Layer::All}, {"shafts", Layer::Shafts}}};
 
 template <class T, std::size_t N>

@@ -1,0 +1,34 @@
+#include <cmath>
+
+#include "../image/write_picture.h"
+#include "add_options.h"
+
+namespace tyndall::app {
+
+constexpr unsigned mostThreads = 1024;
+
+void addReference(CLI::App& app, ReferenceOptions& options, std::string& size) {
+    addViewOptions(app, options.view, size);
+    app.add_option("-o,--output", options.output, "picture to write, .exr of 32-bit floats (they round to 6e-8)")
+        ->required()
+        ->type_name("IMAGE.exr");
+    addChoice(app, "--mode", options.mode, modeWords,
+              "shadows and surfaces of the triangles themselves, or the renderer's own shadow maps and depth");
+    app.add_option("--accuracy", options.accuracy, "relative error of each pixel, 1e-12 to 1; 1e-8")->type_name("E");
+    app.add_option("--threads", options.threads, "0: one for each processor")->type_name("N");
+    addShadowSize(app, options.shadowSize);
+    addOptional(app, "--stats", options.stats, "FILE.json", "what it took, and the accuracy reached");
+}
+
+Outcome<void> checkReference(const ReferenceOptions& options) {
+    if (options.output.empty()) return fail("-o: the picture's name is empty; give one");
+    if (pictureFormat(options.output) != PictureFormat::Exr)
+        return fail("-o: {} cannot hold radiance without limits; write an .exr", options.output);
+    if (!(options.accuracy >= 1e-12 && options.accuracy <= 1.0))
+        return fail("--accuracy: {} is out of bounds; take from 1e-12 to 1", options.accuracy);
+    if (options.threads > mostThreads)
+        return fail("--threads: {} is out of bounds; take from 0 to {}", options.threads, mostThreads);
+    return checkShadowSize(options.shadowSize);
+}
+
+}  // namespace tyndall::app

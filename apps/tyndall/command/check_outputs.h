@@ -1,0 +1,15 @@
+// Whether the files that a command is to write can be written, asked before work of seconds or hours begins.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "../outcome.h"
+
+namespace tyndall::app {
+
+/// Neither takes the other's place nor that of the scene.
+Outcome<void> checkOutputs(const std::string& scene, const std::string& picture,
+                           const std::optional<std::string>& stats);
+
+}  // namespace tyndall::app

@@ -1,0 +1,17 @@
+// Most memory that this process ever had in RAM.
+#pragma once
+
+#include <sys/resource.h>
+
+#include <cstdint>
+
+namespace tyndall::app {
+
+/// Bytes; Linux counts it in KiB.
+inline std::uint64_t peakResidentBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,79 @@
+#include <study/reference.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "../image/write_picture.h"
+#include "../reference/reference_scene.h"
+#include "check_outputs.h"
+#include "commands.h"
+#include "reference_report.h"
+
+namespace tyndall::app {
+namespace {
+
+constexpr const char* interrupted = "interrupted; nothing was written";
+
+double seconds(std::chrono::steady_clock::time_point since) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+Picture pictureOf(const study::ReferenceImage& image) {
+    Picture picture{static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), {}};
+    picture.pixels.assign(image.radiance.begin(), image.radiance.end());
+    return picture;
+}
+
+Outcome<study::ReferenceScene> sceneFor(const ReferenceOptions& options, const ViewedScene& viewed, ReferenceRun& run) {
+    if (options.mode == study::Mode::Ideal) return idealScene(viewed, options.view);
+    auto device = headless::Device::create();
+    if (!device) return fail("{}", device.error().message);
+    run.device = std::string(device->name());
+    return hardwareScene(*device, viewed, options.view, options.shadowSize);
+}
+
+}  // namespace
+
+Outcome<Said> reference(const ReferenceOptions& options, const Progress& progress) {
+    if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
+        return tl::unexpected(checked.error());
+    ReferenceRun run;
+    auto start = std::chrono::steady_clock::now();
+    const auto viewed = viewScene(options.view);
+    if (!viewed) return tl::unexpected(viewed.error());
+    const auto scene = sceneFor(options, *viewed, run);
+    if (!scene) return tl::unexpected(scene.error());
+    if (!progress(0.0)) return fail("{}", interrupted);
+    run.preparing = seconds(start);
+    run.triangles = scene->triangles.size();
+
+    start = std::chrono::steady_clock::now();
+    bool wanted = true;
+    const auto image = study::reference(
+        *scene, {.accuracy = options.accuracy, .threads = options.threads, .progress = [&](double share) {
+                     wanted = wanted && progress(share);
+                     return wanted;
+                 }});
+    if (!wanted) return fail("{}", interrupted);
+    if (!image) return fail("{}: {}", options.view.scene, image.error());
+    run.integrating = seconds(start);
+
+    if (auto written = writePicture(options.output, pictureOf(*image), std::nullopt); !written)
+        return tl::unexpected(written.error());
+    if (options.stats) {
+        const auto report = referenceReport(options, *viewed, *image, run);
+        if (auto written = writeText(*options.stats, report.dump(2) + "\n"); !written)
+            return tl::unexpected(written.error());
+    }
+    Said said;
+    for (const std::string& warning : viewed->scene.warnings) said.notes.push_back("warning: " + warning);
+    for (const IgnoredLight& ignored : viewed->scene.ignoredLights)
+        said.notes.push_back(fmt::format("note: {}: {}", ignored.name, ignored.reason));
+    if (image->largestBound > options.accuracy) said.notes.push_back(shortfall(options, *image));
+    std::error_code error;
+    said.notes.push_back(fmt::format("wrote {}: {}", std::filesystem::absolute(options.output, error).string(),
+                                     referenceText(*image, run)));
+    return said;
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,21 @@
+#include "view_scene.h"
+
+#include "../render/scene_view.h"
+#include "../scene/load_scene.h"
+
+namespace tyndall::app {
+
+Outcome<ViewedScene> viewScene(const ViewOptions& options) {
+    auto scene = loadScene(options.scene, options.time);
+    if (!scene) return tl::unexpected(scene.error());
+    ViewedScene viewed;
+    viewed.scene = std::move(*scene);
+    auto camera = chooseCamera(viewed.scene, options.camera);
+    if (!camera) return tl::unexpected(camera.error());
+    viewed.camera = *camera;
+    viewed.view = viewFrom(**camera, options.size);
+    viewed.lights = callForShadows(viewed.scene);
+    return viewed;
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,23 @@
+// From a file and options to what a camera sees: what all commands on scenes have in common.
+#pragma once
+
+#include <tyndall/light.h>
+#include <tyndall/view.h>
+
+#include <vector>
+
+#include "../options.h"
+#include "../scene/scene.h"
+
+namespace tyndall::app {
+
+struct ViewedScene {
+    Scene scene;
+    const Camera* camera = nullptr;  ///< in scene.cameras
+    View view;
+    std::vector<Light> lights;  ///< as drawn, in the order of scene.lights: see callForShadows()
+};
+
+Outcome<ViewedScene> viewScene(const ViewOptions& options);
+
+}  // namespace tyndall::app

@@ -1,0 +1,82 @@
+#include "reference_scene.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include "../render/drawn_scene.h"
+
+namespace tyndall::app {
+namespace {
+
+study::Texture textureOf(const Image& image, bool asUploaded) {
+    study::Texture texture{static_cast<int>(image.width), static_cast<int>(image.height), 4, {}};
+    texture.texels.reserve(4 * image.texels.size());
+    for (const glm::vec4& texel : image.texels) {
+        const glm::vec4 kept = asUploaded ? glm::unpackHalf4x16(glm::packHalf4x16(texel)) : texel;
+        texture.texels.insert(texture.texels.end(), {kept.r, kept.g, kept.b, kept.a});
+    }
+    return texture;
+}
+
+study::ReferenceScene commonPart(const ViewedScene& viewed, const ViewOptions& options, study::Mode mode) {
+    study::ReferenceScene scene;
+    scene.mode = mode;
+    scene.view = viewed.view;
+    scene.width = static_cast<int>(options.size.width);
+    scene.height = static_cast<int>(options.size.height);
+    scene.time = options.time;
+    const bool asUploaded = mode == study::Mode::Hardware;
+    for (std::size_t i = 0; i < viewed.lights.size(); ++i) {
+        const SceneLight& source = viewed.scene.lights[i];
+        study::ReferenceLight light;
+        light.light = viewed.lights[i];
+        if (source.cookie) light.cookie = textureOf(viewed.scene.images[*source.cookie], asUploaded);
+        if (source.noise) light.noise = textureOf(viewed.scene.images[*source.noise], asUploaded);
+        scene.lights.push_back(std::move(light));
+    }
+    return scene;
+}
+
+void addTriangles(const Mesh& mesh, const glm::dmat4& worldFromMesh, std::vector<study::Triangle>& triangles) {
+    const bool mirrored = glm::determinant(glm::dmat3(worldFromMesh)) < 0.0;
+    const auto corner = [&](std::size_t index) {
+        return glm::dvec3(worldFromMesh * glm::dvec4(glm::dvec3(mesh.vertices[mesh.indices[index]].position), 1.0));
+    };
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
+        triangles.push_back(
+            {corner(i), corner(mirrored ? i + 2 : i + 1), corner(mirrored ? i + 1 : i + 2), mesh.material.doubleSided});
+}
+
+study::Texture depthTexture(int width, int height, std::vector<float> values) {
+    return {width, height, 1, std::move(values)};
+}
+
+}  // namespace
+
+study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& options) {
+    study::ReferenceScene scene = commonPart(viewed, options, study::Mode::Ideal);
+    for (const MeshInstance& instance : viewed.scene.instances)
+        addTriangles(viewed.scene.meshes[instance.mesh], instance.worldFromMesh, scene.triangles);
+    return scene;
+}
+
+Outcome<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
+                                             const ViewOptions& options, std::uint32_t shadowSize) {
+    study::ReferenceScene scene = commonPart(viewed, options, study::Mode::Hardware);
+    auto renderer = Renderer::create({device.physicalDevice(), device.device(), VK_NULL_HANDLE});
+    if (!renderer) return fail("{}", renderer.error().message);
+    auto drawn = drawScene(device, *renderer, viewed, options.size, shadowSize, false);
+    if (!drawn) return tl::unexpected(drawn.error());
+    auto depth = readDepth(device, drawn->depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+    if (!depth) return tl::unexpected(depth.error());
+    scene.depth = depthTexture(scene.width, scene.height, std::move(*depth));
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (!scene.lights[i].light.shadow) continue;
+        auto map = readDepth(device, drawn->maps.images[i], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        if (!map) return tl::unexpected(map.error());
+        const int side = static_cast<int>(shadowSize);
+        scene.lights[i].shadowMap = depthTexture(side, side, std::move(*map));
+    }
+    return scene;
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,22 @@
+// A loaded scene as the reference integrator takes it.
+#pragma once
+
+#include <headless/device.h>
+#include <study/reference.h>
+
+#include "../command/view_scene.h"
+#include "../options.h"
+#include "../outcome.h"
+
+namespace tyndall::app {
+
+/// The world: triangles in world space and textures as loaded. Materials that are not double-sided hide from
+/// their front alone; instances that mirror keep their front.
+study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& options);
+
+/// What the renderer draws from: its shadow maps and its depth, drawn on `device` and read back, and textures
+/// rounded as they are uploaded.
+Outcome<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
+                                             const ViewOptions& options, std::uint32_t shadowSize);
+
+}  // namespace tyndall::app

@@ -1,0 +1,24 @@
+// Errors of the libraries below as this program's sentences.
+#pragma once
+
+#include <tyndall/result.h>
+
+#include <utility>
+
+#include "../outcome.h"
+
+namespace tyndall::app {
+
+/// The value, or the error with `what` before it.
+template <class T>
+Outcome<T> passOn(Result<T> result, const char* what) {
+    if (result) return std::move(*result);
+    return fail("{}: {}", what, result.error().message);
+}
+
+inline Outcome<void> passOn(const Result<void>& result, const char* what) {
+    if (result) return {};
+    return fail("{}: {}", what, result.error().message);
+}
+
+}  // namespace tyndall::app
