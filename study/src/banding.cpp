@@ -22,11 +22,11 @@ int direction(double from, double to) {
 }
 
 /// True where the run from `first` to `last` beats what `best` holds. Its start's pixel is the caller's to set.
-bool improve(Banding& best, const Line& line, int first, int last, double threshold) {
+bool improve(Banding& best, const Line& line, int first, int last, double threshold, double dark) {
     if (last - first + 1 <= best.longestRun) return false;
     const double from = line.r(first), to = line.r(last);
     const double change = std::abs(to - from), scale = std::max(std::abs(from), std::abs(to));
-    if (!(change > threshold * scale)) return false;
+    if (!(change > threshold * std::max(scale, dark))) return false;
     best.longestRun = last - first + 1;
     best.change = change;
     best.relativeChange = change / scale;
@@ -34,7 +34,7 @@ bool improve(Banding& best, const Line& line, int first, int last, double thresh
 }
 
 /// The first pixel of the line's longest run, where that is longer than the best so far; else -1.
-int searchLine(Banding& best, const Line& line, double threshold) {
+int searchLine(Banding& best, const Line& line, double threshold, double dark) {
     int start = -1;
     for (int k = 0; k + 1 < line.length;) {
         // Along one step the direction of the reference cannot turn, so a turn starts a new run at its own pixel
@@ -46,7 +46,7 @@ int searchLine(Banding& best, const Line& line, double threshold) {
             ++k;
         if (k == first)
             ++k;
-        else if (improve(best, line, first, k, threshold))
+        else if (improve(best, line, first, k, threshold, dark))
             start = first;
     }
     return start;
@@ -54,7 +54,7 @@ int searchLine(Banding& best, const Line& line, double threshold) {
 
 }  // namespace
 
-Banding findBanding(const FloatImage& image, const FloatImage& reference, double threshold) {
+Banding findBanding(const FloatImage& image, const FloatImage& reference, double threshold, double dark) {
     Banding best;
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t rowStride = static_cast<std::size_t>(image.width) * channels;
@@ -65,7 +65,7 @@ Banding findBanding(const FloatImage& image, const FloatImage& reference, double
                 const int found = searchLine(best,
                                              {image.values.data() + start, reference.values.data() + start,
                                               alongRow ? channels : rowStride, length},
-                                             threshold);
+                                             threshold, dark);
                 if (found < 0) continue;
                 best.alongRow = alongRow;
                 best.start = alongRow ? Place{found, line, channel} : Place{line, found, channel};

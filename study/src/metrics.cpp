@@ -9,7 +9,6 @@ namespace tyndall::study {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Of the reference's root mean square: below it a value counts as nearly black.
 constexpr double darkShare = 0.01;
 
 Place placeOf(const FloatImage& image, std::size_t index) {
@@ -54,13 +53,10 @@ double ratio(double part, double whole) {
     return part == 0.0 ? 0.0 : std::copysign(infinity, part);
 }
 
-double relativeMeanSquare(const FloatImage& image, const FloatImage& reference, double referenceMeanSquare,
-                          double squaredError, std::uint64_t compared) {
-    if (referenceMeanSquare == 0.0) return ratio(squaredError, 0.0);
-    const double dark = darkShare * darkShare * referenceMeanSquare;
+double relativeMeanSquare(const FloatImage& image, const FloatImage& reference, double dark, std::uint64_t compared) {
     ExactSum sum;
     forEachFinitePair(image, reference,
-                      [&](std::size_t, double i, double r) { sum.add((i - r) * (i - r) / (r * r + dark)); });
+                      [&](std::size_t, double i, double r) { sum.add((i - r) * (i - r) / (r * r + dark * dark)); });
     return sum.value() / static_cast<double>(compared);
 }
 
@@ -108,12 +104,14 @@ tl::expected<Metrics, std::string> compare(const FloatImage& image, const FloatI
     const auto count = static_cast<double>(metrics.compared);
     const double squaredError = squaredDifference.value();
     metrics.relativeL2 = std::sqrt(ratio(squaredError, squaredLight.value()));
-    metrics.relativeMeanSquare =
-        relativeMeanSquare(image, reference, squaredLight.value() / count, squaredError, metrics.compared);
+    metrics.dark = darkShare * std::sqrt(squaredLight.value() / count);
+    metrics.relativeMeanSquare = metrics.dark > 0.0
+                                     ? relativeMeanSquare(image, reference, metrics.dark, metrics.compared)
+                                     : ratio(squaredError, 0.0);
     metrics.meanDifference = difference.value() / count;
     metrics.energy = ratio(metrics.meanDifference, light.value() / count);
     metrics.deadZone.share = static_cast<double>(metrics.deadZone.count) / count;
-    metrics.banding = findBanding(image, reference, options.bandingThreshold);
+    metrics.banding = findBanding(image, reference, options.bandingThreshold, metrics.dark);
     return metrics;
 }
 

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <thread>
 
@@ -27,39 +28,71 @@ std::string contents(const std::string& path) {
     return text.str();
 }
 
+struct Running {
+    pid_t child;
+    std::string out, err;
+};
+
+Running start(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    Running running{-1, freshPath("out.txt"), freshPath("err.txt")};
+    running.child = fork();
+    if (running.child != 0) return running;
+    for (const auto& [path, stream] : {std::pair(&running.out, STDOUT_FILENO), std::pair(&running.err, STDERR_FILENO)})
+        dup2(open(path->c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), stream);
+    // Pictures of tests come from lavapipe, whatever else the machine has.
+    std::vector<std::string> settings = {std::string("VK_DRIVER_FILES=") + lavapipe,
+                                         std::string("VK_ICD_FILENAMES=") + lavapipe};
+    settings.insert(settings.end(), environment.begin(), environment.end());
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
+    }
+    std::vector<char*> argv = {const_cast<char*>(TYNDALL_PROGRAM)};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    execv(TYNDALL_PROGRAM, argv.data());
+    _exit(127);
+}
+
+/// Asks `poll` every few milliseconds until the program has ended; kills it after two minutes.
+ProgramRun finish(const Running& running, const std::function<void()>& poll) {
+    int status = 0;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (waitpid(running.child, &status, WNOHANG) == 0) {
+        if (std::chrono::steady_clock::now() > deadline) {
+            kill(running.child, SIGKILL);
+            waitpid(running.child, &status, 0);
+            break;
+        }
+        poll();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(running.out),
+            contents(running.err)};
+}
+
+/// Linux lists caught signals as a bit mask, signal 1 in the lowest bit (proc(5), /proc/pid/status).
+bool catches(pid_t process, int signal) {
+    const std::string status = contents("/proc/" + std::to_string(process) + "/status");
+    const std::size_t at = status.find("SigCgt:");
+    if (at == std::string::npos) return false;
+    return (std::stoull(status.substr(at + 7), nullptr, 16) >> (signal - 1) & 1) != 0;
+}
+
 }  // namespace
 
 ProgramRun runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
-    const std::string out = freshPath("out.txt"), err = freshPath("err.txt");
-    const pid_t child = fork();
-    if (child == 0) {
-        for (const auto& [path, stream] : {std::pair(&out, STDOUT_FILENO), std::pair(&err, STDERR_FILENO)})
-            dup2(open(path->c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), stream);
-        // Pictures of tests come from lavapipe, whatever else the machine has.
-        std::vector<std::string> settings = {std::string("VK_DRIVER_FILES=") + lavapipe,
-                                             std::string("VK_ICD_FILENAMES=") + lavapipe};
-        settings.insert(settings.end(), environment.begin(), environment.end());
-        for (const std::string& setting : settings) {
-            const std::size_t equals = setting.find('=');
-            setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
-        }
-        std::vector<char*> argv = {const_cast<char*>(TYNDALL_PROGRAM)};
-        for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-        argv.push_back(nullptr);
-        execv(TYNDALL_PROGRAM, argv.data());
-        _exit(127);
-    }
-    int status = 0;
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-    while (waitpid(child, &status, WNOHANG) == 0) {
-        if (std::chrono::steady_clock::now() > deadline) {
-            kill(child, SIGKILL);
-            waitpid(child, &status, 0);
-            break;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out), contents(err)};
+    return finish(start(arguments, environment), [] {});
+}
+
+ProgramRun interruptTyndall(const std::vector<std::string>& arguments, int signal) {
+    const Running running = start(arguments, {});
+    bool sent = false;
+    return finish(running, [&] {
+        if (sent || !catches(running.child, signal)) return;
+        kill(running.child, signal);
+        sent = true;
+    });
 }
 
 Pixels readPixels(const std::string& path) {

@@ -16,6 +16,9 @@ struct ProgramRun {
 /// Killed after two minutes.
 ProgramRun runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
 
+/// The same, but sends `signal` as soon as the program catches it instead of dying of it.
+ProgramRun interruptTyndall(const std::vector<std::string>& arguments, int signal);
+
 /// What an OpenEXR or PNG file holds: `channels` floats a pixel, rows top to bottom.
 struct Pixels {
     int width = 0, height = 0, channels = 0;

@@ -39,7 +39,7 @@ class Steps : public testing::TestWithParam<int> {};
 
 TEST_P(Steps, AreAsLongAsTheyWereMade) {
     const int pixels = GetParam();
-    const Banding found = findBanding(inStepsOf(pixels, ramp()), ramp(), threshold);
+    const Banding found = findBanding(inStepsOf(pixels, ramp()), ramp(), threshold, 0.0);
     EXPECT_EQ(found.longestRun, pixels);
     EXPECT_TRUE(found.alongRow);
     EXPECT_EQ(found.start.x, 0);
@@ -49,35 +49,35 @@ TEST_P(Steps, AreAsLongAsTheyWereMade) {
 
 TEST_P(Steps, AreFoundDownAColumnAndBackwards) {
     const int pixels = GetParam();
-    const Banding down = findBanding(transposed(inStepsOf(pixels, ramp())), transposed(ramp()), threshold);
+    const Banding down = findBanding(transposed(inStepsOf(pixels, ramp())), transposed(ramp()), threshold, 0.0);
     EXPECT_EQ(down.longestRun, pixels);
     EXPECT_FALSE(down.alongRow);
     FloatImage image = inStepsOf(pixels, ramp()), reference = ramp();
     std::ranges::reverse(image.values);
     std::ranges::reverse(reference.values);
-    EXPECT_EQ(findBanding(image, reference, threshold).longestRun, pixels) << "a falling gradient is one too";
+    EXPECT_EQ(findBanding(image, reference, threshold, 0.0).longestRun, pixels) << "a falling gradient is one too";
 }
 
 INSTANTIATE_TEST_SUITE_P(OfPixels, Steps, testing::Values(2, 4, 8, 32, 128));
 
 TEST(Banding, AFlatReferenceHasNone) {
     const FloatImage flat{16, 16, 1, std::vector<float>(256, 0.5f)};
-    EXPECT_EQ(findBanding(flat, flat, threshold).longestRun, 0);
+    EXPECT_EQ(findBanding(flat, flat, threshold, 0.0).longestRun, 0);
 }
 
 TEST(Banding, AnEqualImageHasNone) {
-    EXPECT_EQ(findBanding(ramp(), ramp(), threshold).longestRun, 0);
+    EXPECT_EQ(findBanding(ramp(), ramp(), threshold, 0.0).longestRun, 0);
 }
 
 TEST(Banding, ATurnOfTheReferenceEndsARun) {
     const FloatImage image{7, 1, 1, std::vector<float>(7, 1.0f)};
     const FloatImage roof{7, 1, 1, {1.0f, 2.0f, 3.0f, 4.0f, 3.0f, 2.0f, 1.5f}};
-    const Banding found = findBanding(image, roof, threshold);
+    const Banding found = findBanding(image, roof, threshold, 0.0);
     EXPECT_EQ(found.longestRun, 4) << "up to the top, and from it down again";
     EXPECT_EQ(found.start.x, 0);
     const FloatImage ledge{7, 1, 1, {1.0f, 2.0f, 3.0f, 3.0f, 4.0f, 5.0f, 6.0f}};
-    EXPECT_EQ(findBanding(image, ledge, threshold).longestRun, 4) << "flat between the third and the fourth";
-    EXPECT_EQ(findBanding(image, ledge, threshold).start.x, 3);
+    EXPECT_EQ(findBanding(image, ledge, threshold, 0.0).longestRun, 4) << "flat between the third and the fourth";
+    EXPECT_EQ(findBanding(image, ledge, threshold, 0.0).start.x, 3);
 }
 
 TEST(Banding, LooksAtEachChannelOfEachLine) {
@@ -85,7 +85,7 @@ TEST(Banding, LooksAtEachChannelOfEachLine) {
     for (int k = 0; k < 48; ++k) image.values.push_back(static_cast<float>(k + 1));
     reference.values = image.values;
     for (int x = 3; x < 8; ++x) image.values[(2 * 8 + x) * 2 + 1] = 7.0f;
-    const Banding found = findBanding(image, reference, threshold);
+    const Banding found = findBanding(image, reference, threshold, 0.0);
     EXPECT_EQ(found.longestRun, 5);
     EXPECT_EQ(found.start.x, 3);
     EXPECT_EQ(found.start.y, 2);
@@ -100,8 +100,8 @@ TEST(Banding, RoundingToHalfFloatsIsNone) {
     FloatImage image = reference;
     for (float& value : image.values) value = glm::unpackHalf1x16(glm::packHalf1x16(value));
     ASSERT_NE(image.values, reference.values);
-    EXPECT_EQ(findBanding(image, reference, threshold).longestRun, 0);
-    EXPECT_GT(findBanding(image, reference, 0.0).longestRun, 1);
+    EXPECT_EQ(findBanding(image, reference, threshold, 0.0).longestRun, 0);
+    EXPECT_GT(findBanding(image, reference, 0.0, 0.0).longestRun, 1);
 }
 
 TEST(Banding, TheThresholdIsOnTheRunNotOnItsSteps) {
@@ -109,17 +109,52 @@ TEST(Banding, TheThresholdIsOnTheRunNotOnItsSteps) {
     FloatImage reference{51, 1, 1, {}};
     for (int x = 0; x < 51; ++x) reference.values.push_back(1.0f + 1e-4f * static_cast<float>(x));
     const FloatImage image{51, 1, 1, std::vector<float>(51, 1.0f)};
-    EXPECT_EQ(findBanding(image, reference, threshold).longestRun, 51);
-    EXPECT_EQ(findBanding(image, reference, 0.01).longestRun, 0);
+    EXPECT_EQ(findBanding(image, reference, threshold, 0.0).longestRun, 51);
+    EXPECT_EQ(findBanding(image, reference, 0.01, 0.0).longestRun, 0);
+}
+
+TEST(Banding, TheThresholdIsRelative) {
+    // The reference moves by 0.5 at 1000, half of the threshold's share of it.
+    const FloatImage flat{3, 1, 1, std::vector<float>(3, 1000.0f)}, rising{3, 1, 1, {1000.0f, 1000.25f, 1000.5f}};
+    EXPECT_EQ(findBanding(flat, rising, threshold, 0.0).longestRun, 0);
+    EXPECT_EQ(findBanding(flat, rising, 0.0004, 0.0).longestRun, 3);
+}
+
+TEST(Banding, StepsInTheDarkAreNone) {
+    const FloatImage black{3, 1, 1, std::vector<float>(3, 0.0f)}, rising{3, 1, 1, {1e-9f, 2e-9f, 3e-9f}};
+    EXPECT_EQ(findBanding(black, rising, threshold, 0.0).longestRun, 3);
+    EXPECT_EQ(findBanding(black, rising, threshold, 1e-6).longestRun, 3) << "2e-9 is more than a thousandth of it";
+    EXPECT_EQ(findBanding(black, rising, threshold, 3e-6).longestRun, 0);
+    FloatImage image{4, 1, 1, {0.0f, 0.0f, 0.0f, 1.0f}}, reference{4, 1, 1, {1e-6f, 2e-6f, 3e-6f, 1.0f}};
+    EXPECT_EQ(compare(image, reference)->banding.longestRun, 0) << "1e-6 of the brightest is dark";
+}
+
+TEST(Banding, TheLongestOfTwoIsNamedInARowAndInAColumn) {
+    FloatImage reference{9, 7, 1, {}};
+    for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < 9; ++x) reference.values.push_back(1.0f + static_cast<float>(x + 10 * y));
+    FloatImage image = reference;
+    for (int y = 3; y < 7; ++y) image.values[static_cast<std::size_t>(y * 9 + 5)] = 1.0f;
+    const Banding column = findBanding(image, reference, threshold, 0.0);
+    EXPECT_EQ(column.longestRun, 4);
+    EXPECT_FALSE(column.alongRow);
+    EXPECT_EQ(column.start.x, 5);
+    EXPECT_EQ(column.start.y, 3);
+    for (int x = 1; x < 7; ++x) image.values[static_cast<std::size_t>(2 * 9 + x)] = 1.0f;
+    const Banding row = findBanding(image, reference, threshold, 0.0);
+    EXPECT_EQ(row.longestRun, 6);
+    EXPECT_TRUE(row.alongRow);
+    EXPECT_EQ(row.start.x, 1);
+    EXPECT_EQ(row.start.y, 2);
 }
 
 TEST(Banding, WhatIsNoNumberEndsARun) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     const FloatImage reference{5, 1, 1, {1.0f, 2.0f, 3.0f, 4.0f, 5.0f}};
-    EXPECT_EQ(findBanding({5, 1, 1, std::vector<float>(5, infinite)}, reference, threshold).longestRun, 0);
+    EXPECT_EQ(findBanding({5, 1, 1, std::vector<float>(5, infinite)}, reference, threshold, 0.0).longestRun, 0);
     const FloatImage flat{5, 1, 1, std::vector<float>(5, 1.0f)};
-    EXPECT_EQ(findBanding(flat, {5, 1, 1, {1.0f, 2.0f, 3.0f, infinite, infinite}}, threshold).longestRun, 3);
-    EXPECT_EQ(findBanding(flat, {5, 1, 1, {1.0f, 2.0f, NAN, 4.0f, 5.0f}}, threshold).longestRun, 2);
+    EXPECT_EQ(findBanding(flat, {5, 1, 1, {1.0f, 2.0f, 3.0f, infinite, infinite}}, threshold, 0.0).longestRun, 3);
+    EXPECT_EQ(findBanding(flat, {5, 1, 1, {1.0f, 2.0f, NAN, 4.0f, 5.0f}}, threshold, 0.0).longestRun, 2);
 }
 
 }  // namespace

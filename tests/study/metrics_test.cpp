@@ -71,6 +71,7 @@ TEST(Metrics, TheWorstValueIsNamedWithItsChannel) {
     EXPECT_EQ(m.worst.place.channel, 2);
     image.values[(3 * 7 + 5) * 3] = reference.values[(3 * 7 + 5) * 3] - 6000.0f;
     EXPECT_EQ(measured(image, reference).worst.place.x, 5) << "too dark counts as much as too bright";
+    EXPECT_EQ(measured(row({1.0f, 3.0f, 1.0f, 3.0f}), row({1.0f, 2.0f, 2.0f, 2.0f})).worst.place.x, 1) << "the first";
 }
 
 TEST(Metrics, ScalingBothByAPowerOfTwoScalesOnlyWhatHasAUnit) {

@@ -41,8 +41,9 @@ struct Sample {
 
 /// Steps where the reference has a gradient. Looked for along each row and each column of each channel,
 /// wherever the reference strictly rises or strictly falls from pixel to pixel: a run is a stretch of pixels
-/// whose image values are equal while the reference moves by more than
-/// MetricOptions::bandingThreshold * max(|r|) of the run's two ends.
+/// whose image values are equal while the reference moves by more than MetricOptions::bandingThreshold times
+/// max(|r|) of the run's two ends, or times `dark` where that is larger: steps in what is black to the eye are
+/// none.
 struct Banding {
     int longestRun = 0;           ///< pixels; 0: no run moves the reference that far
     bool alongRow = true;         ///< otherwise along a column
@@ -65,9 +66,12 @@ struct Metrics {
 
     /// sqrt(sum (i - r)^2 / sum r^2), no unit. Reference all zero: 0 if the image is too, else infinite.
     double relativeL2 = 0.0;
-    /// mean of (i - r)^2 / (r^2 + e^2), no unit, with e a hundredth of the reference's root mean square: where
-    /// relativeL2 listens to the bright pixels, this listens to all that are not nearly black. (Renderers'
-    /// relMSE with an e that follows the picture's scale.) Reference all zero: as relativeL2.
+    /// A hundredth of the reference's root mean square, in the pictures' unit: below it a value counts as
+    /// nearly black.
+    double dark = 0.0;
+    /// mean of (i - r)^2 / (r^2 + dark^2), no unit: where relativeL2 listens to the bright pixels, this listens
+    /// to all that are not nearly black. (Renderers' relMSE with a constant that follows the picture's scale.)
+    /// Reference all zero: as relativeL2.
     double relativeMeanSquare = 0.0;
     /// max |i - r|, in the pictures' unit, and the first place in reading order that has it.
     double maximumAbsolute = 0.0;
@@ -97,6 +101,6 @@ tl::expected<Metrics, std::string> compare(const FloatImage& image, const FloatI
                                            const MetricOptions& options = {});
 
 /// The banding measure alone; image and reference of one size. Values that are not finite end a run.
-Banding findBanding(const FloatImage& image, const FloatImage& reference, double threshold);
+Banding findBanding(const FloatImage& image, const FloatImage& reference, double threshold, double dark);
 
 }  // namespace tyndall::study
