@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <tyndall/scene/load_scene.h>
 
+#include <array>
 #include <functional>
 
 #include "glb.h"
@@ -113,6 +114,43 @@ const std::vector<Breakage>& breakages() {
          "at most 6"},
         {"LightIndex", [](Glb& g) { g.json["nodes"][2]["extensions"]["KHR_lights_punctual"]["light"] = 4; },
          "but the file has 1 lights"},
+        {"TranslationShort",
+         [](Glb& g) {
+             g.json["nodes"][0]["translation"] = {1, 2};
+         },
+         "nodes[0].translation must be 3"},
+        {"RotationLong",
+         [](Glb& g) {
+             g.json["nodes"][1]["rotation"] = {0, 0, 0, 1, 0};
+         },
+         "nodes[1].rotation must be 4 numbers, and is 5"},
+        {"RotationNothing",
+         [](Glb& g) {
+             g.json["nodes"][1]["rotation"] = {0, 0, 0, 0};
+         },
+         "nodes[1].rotation is all zeros"},
+        {"ScaleOfWords",
+         [](Glb& g) {
+             g.json["nodes"][2]["scale"] = {"1", "1", "1"};
+         },
+         "nodes[2].scale must be 3 numbers, and is something else"},
+        {"MatrixShort",
+         [](Glb& g) {
+             g.json["nodes"][0]["matrix"] = {1, 0, 0, 0};
+         },
+         "nodes[0].matrix must be 16"},
+        {"CameraFlattened",
+         [](Glb& g) {
+             g.json["nodes"][1]["scale"] = {0, 1, 1};
+         },
+         "scaled to nothing"},
+        {"OrthographicWithoutWidth",
+         [](Glb& g) {
+             g.json["cameras"][0] = {{"type", "orthographic"},
+                                     {"orthographic", {{"xmag", 0}, {"ymag", 2}, {"znear", 0.5}, {"zfar", 40}}}};
+         },
+         "width or a height of 0"},
+        {"ModeUnknown", [](Glb& g) { primitive(g)["mode"] = 7; }, "primitives[0].mode is 7"},
         {"LampScaledToNothing",
          [](Glb& g) {
              g.json["nodes"][2]["scale"] = {0, 0, 0};
@@ -301,7 +339,7 @@ TEST(BadSceneFile, TruncatedJson) {
 TEST(BadSceneFile, DamagedAnywhere) {
     const std::vector<unsigned char> whole = wallScene().bytes();
     for (std::size_t at = 0; at < whole.size(); at += 5)
-        for (const unsigned char value : {0x00, 0x22, 0x39, 0x7D, 0xFF}) {
+        for (const unsigned char value : std::array<unsigned char, 5>{0x00, 0x22, 0x39, 0x7D, 0xFF}) {
             std::vector<unsigned char> damaged = whole;
             damaged[at] = value;
             const auto scene = app::loadScene(writeBytes(damaged, "damaged.glb"), 0.0);

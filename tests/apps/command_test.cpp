@@ -68,7 +68,7 @@ TEST(Command, OutputExtensionUnknown) {
 }
 
 TEST(Command, NothingAsked) {
-    expectRefusal(runTyndall({}), wrongCommandLine, "render, explain, compare");
+    expectRefusal(runTyndall({}), wrongCommandLine, "render, explain, reference, compare");
 }
 
 TEST(Command, UnknownNamesTheKnown) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "check_transform.h"
+
 namespace tyndall::app {
 namespace {
 
@@ -200,6 +202,8 @@ void checkMeshes(const json& gltf) {
         const json& primitives = objects(meshes[i], "primitives");
         for (std::size_t p = 0; p < primitives.size(); ++p) {
             const std::string place = fmt::format("meshes[{}].primitives[{}]", i, p);
+            if (const std::uint64_t mode = count(primitives[p], "mode", 4, place); mode > 6)
+                broken("{}.mode is {}, and must be from 0 to 6; export the file again", place, mode);
             optionalIndex(primitives[p], "indices", accessors, place, "accessors");
             optionalIndex(primitives[p], "material", objects(gltf, "materials").size(), place, "materials");
             if (const json* attributes = member(primitives[p], "attributes"))
@@ -276,6 +280,7 @@ void checkNodes(const json& gltf) {
         const std::string place = fmt::format("nodes[{}]", i);
         optionalIndex(nodes[i], "mesh", objects(gltf, "meshes").size(), place, "meshes");
         optionalIndex(nodes[i], "camera", objects(gltf, "cameras").size(), place, "cameras");
+        if (auto checked = checkTransform(nodes[i], place); !checked) throw Broken{checked.error()};
         const json* extensions = member(nodes[i], "extensions");
         const json* light = extensions != nullptr ? member(*extensions, "KHR_lights_punctual") : nullptr;
         if (light != nullptr) optionalIndex(*light, "light", lightCount(gltf), place, "lights");

@@ -9,7 +9,8 @@
 namespace tyndall::app {
 
 /// The first thing wrong: an index that points at nothing, a view outside its buffer, an accessor outside
-/// its view, a node below itself or below two parents, a required extension that is not read. `binary`
+/// its view, a node below itself or below two parents, a transform that is none, a required extension that is
+/// not read. `binary`
 /// and `binaryLength` describe the .glb's own chunk.
 Outcome<void> checkDocument(const nlohmann::json& gltf, bool binary, std::size_t binaryLength);
 

@@ -75,12 +75,13 @@ Outcome<std::vector<std::optional<glm::dmat4>>> worldPoses(const tinygltf::Model
 }
 
 Outcome<glm::dmat4> rigidPart(const glm::dmat4& pose, const std::string& place) {
-    const glm::dvec3 z(pose[2]), y(pose[1]);
+    const glm::dvec3 z(pose[2]), y(pose[1]), x(pose[0]);
     const double zLength = glm::length(z);
     const glm::dvec3 back = z / zLength;
     const glm::dvec3 upright = y - back * glm::dot(back, y);
     const double yLength = glm::length(upright);
-    if (!(zLength > 0.0) || !(yLength > 1e-12 * glm::length(y)) || !std::isfinite(zLength * yLength))
+    if (!(glm::length(x) > 0.0) || !(zLength > 0.0) || !(yLength > 1e-12 * glm::length(y)) ||
+        !std::isfinite(zLength * yLength))
         return fail("{} is scaled to nothing, so it looks nowhere; give it a scale other than 0", place);
     const glm::dvec3 up = upright / yLength;
     return glm::dmat4(glm::dvec4(glm::cross(up, back), 0.0), glm::dvec4(up, 0.0), glm::dvec4(back, 0.0), pose[3]);
