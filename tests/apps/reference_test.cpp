@@ -139,6 +139,34 @@ TEST_P(Modes, TexturesAreRoundedWhereTheRendererRoundsThem) {
     EXPECT_NEAR(picture.at(5, 9, 0) / radiance(5, 9, 1.0, 5.0) / expected, 1.0, tolerance(GetParam()) + 1e-6);
 }
 
+TEST_P(Modes, AConeFallsOffAsTheExtensionSays) {
+    Glb glb = wallScene();  // half angles of 0.2 and 0.35
+    glb.json["nodes"][2]["extras"]["tyndall"] = {{"density", 0.1}, {"near", 1.0}, {"shadow", "none"}};
+    const bool ideal = std::string(GetParam()) == "ideal";
+    for (const bool slide : {false, true}) {
+        if (slide)  // red and a little green
+            glb.json["nodes"][2]["extras"]["tyndall"]["cookie"] = glb.addTexture(1, 1, {255, 100, 0, 255});
+        const double green = slide ? std::pow((100.0 / 255.0 + 0.055) / 1.055, 2.4) : 1.0;
+        const Pixels picture = computed(glb, GetParam());
+        ASSERT_EQ(picture.width, side);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const double reach = std::tan(0.35);
+                const double u = reach * (2.0 * (x + 0.5) / side - 1.0), v = reach * (2.0 * (y + 0.5) / side - 1.0);
+                const double cosine = 1.0 / std::sqrt(1.0 + u * u + v * v);
+                // KHR_lights_punctual, "Inner and Outer Cone Angles".
+                const double share = std::clamp((cosine - std::cos(0.35)) / (std::cos(0.2) - std::cos(0.35)), 0.0, 1.0);
+                const double full = radiance(x, y, 1.0, 5.0);
+                // Baked into 512 texels: averaged over a texel and interpolated between two, which errs by less than
+                // the squared texel, 0.35 / 256, times the falloff's second derivative, 2 / 0.15^2; and rounded.
+                const double baked = ideal ? 0.0 : 2.0 * std::pow(0.35 / 256 / 0.15, 2.0) + std::exp2(-11.0);
+                const double mask = share * share, allowed = tolerance(GetParam()) + baked;
+                EXPECT_NEAR(picture.at(x, y, 0) / full, mask, allowed) << x << ", " << y;
+                EXPECT_NEAR(picture.at(x, y, 1) / full, green * mask, allowed + 1e-6) << x << ", " << y;
+            }
+    }
+}
+
 TEST_P(Modes, TimeMovesTheScene) {
     Glb glb = openScene("none");
     const std::size_t times = glb.addFloats({0.0f, 2.0f}, "SCALAR");

@@ -134,7 +134,9 @@ Outcome<ReadLight> readSpotLight(const Document& document, std::size_t node, std
         if (!(inner >= 0.0 && inner <= outer))
             return fail("{}: its inner cone angle of {:g} degrees must lie between 0 and the outer one of {:g}", place,
                         inner / degree, outer / degree);
-        read.cookie = bakeCone(inner, outer, read.cookie ? &*read.cookie : nullptr);
+        read.light.cone = ConeAngles{inner, outer};
+        read.light.slide = std::move(read.cookie);
+        read.cookie = bakeCone(inner, outer, read.light.slide ? &*read.light.slide : nullptr);
     }
     light.cookie = read.cookie.has_value();
     return read;

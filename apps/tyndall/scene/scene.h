@@ -56,9 +56,16 @@ struct Camera {
     double farPlane = std::numeric_limits<double>::infinity();
 };
 
+/// Half angles of a lamp's cone, radians: full light within `inner`, none beyond `outer`.
+struct ConeAngles {
+    double inner = 0.0, outer = 0.0;
+};
+
 struct SceneLight {
     Light light;
     std::optional<std::size_t> cookie;  ///< index into Scene::images; cone falloff is baked in
+    std::optional<ConeAngles> cone;     ///< what was baked in
+    std::optional<Image> slide;         ///< what it was baked into, where the light has a cookie of its own
     std::optional<std::size_t> noise;   ///< index into Scene::images
     bool movingShadow = false;          ///< extras ask for a shadow map drawn anew each frame
 };
