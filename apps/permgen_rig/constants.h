@@ -1,0 +1,32 @@
+// The bytes of an effect's uniform blocks, filled with what a fixture says.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "block_layout.h"
+#include "fixture.h"
+
+namespace tyndall::rig {
+
+/// By the block's name; all of them, and 0 wherever the fixture says nothing.
+using Blocks = std::map<std::string, std::vector<std::byte>, std::less<>>;
+
+struct Constants {
+    Blocks blocks;
+    std::vector<std::string> unset;  ///< members that the fixture leaves at 0
+};
+
+/// Errors: a constant that the effect does not have (with the nearest name), of another count, or not a whole
+/// number where one is wanted.
+Outcome<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
+                                 const Fixture& fixture);
+
+/// The same block with every number of every member something else: what depends on any of them has to change.
+std::vector<std::byte> altered(const std::vector<BlockMember>& members, std::string_view block,
+                               std::vector<std::byte> bytes);
+
+}  // namespace tyndall::rig

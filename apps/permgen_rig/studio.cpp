@@ -1,0 +1,270 @@
+#include "studio.h"
+
+#include <fmt/format.h>
+#include <headless/commands.h>
+
+#include <algorithm>
+
+#include "texels.h"
+
+namespace tyndall::rig {
+namespace {
+
+constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
+
+template <class T>
+Outcome<T> plain(Result<T> result) {
+    if (!result) return tl::unexpected(result.error().message);
+    if constexpr (std::is_void_v<T>)
+        return {};
+    else
+        return std::move(*result);
+}
+
+Outcome<headless::Image> upload(const headless::Device& device, const Image& texels, std::string_view name) {
+    headless::ImageInfo info;
+    info.extent = {static_cast<std::uint32_t>(texels.width), static_cast<std::uint32_t>(texels.height)};
+    info.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    info.name = name;
+    auto image = plain(headless::Image::create(device, info));
+    if (!image) return image;
+    if (auto done = headless::upload(device, *image, std::as_bytes(std::span(texels.values))); !done)
+        return tl::unexpected(done.error().message);
+    return image;
+}
+
+/// How many render targets the technique's passes write: COLOR0 to COLOR3.
+std::uint32_t targetCount(const permgen::Technique& technique) {
+    std::uint32_t count = 1;
+    for (const permgen::Pass& pass : technique.passes) {
+        if (!pass.pixel.module) continue;
+        for (const permgen::Attribute& attribute : pass.pixel.module->attributes)
+            if (attribute.semantic.starts_with("COLOR")) count = std::max(count, attribute.location + 1);
+    }
+    return std::min(count, 4u);
+}
+
+}  // namespace
+
+struct Studio::Targets {
+    std::vector<headless::Image> colours;
+    headless::Image depth;
+};
+
+Outcome<std::unique_ptr<Studio>> Studio::create(const headless::Device& device, const permgen::Effect& effect,
+                                                const Fixture& fixture) {
+    std::unique_ptr<Studio> studio(new Studio(device, effect, fixture));
+    for (const auto step : {&Studio::makeBlocks, &Studio::makeTextures, &Studio::makeGeometry, &Studio::makePipelines})
+        if (auto made = (studio.get()->*step)(); !made) return tl::unexpected(made.error());
+    return studio;
+}
+
+Outcome<void> Studio::makeBlocks() {
+    const auto members = blockMembers(effect_);
+    if (!members) return tl::unexpected(members.error());
+    auto constants = fillConstants(effect_, *members, fixture_);
+    if (!constants) return tl::unexpected(constants.error());
+    constants_ = std::move(*constants);
+    for (const auto& [name, bytes] : constants_.blocks) {
+        const std::vector<std::byte> other = altered(*members, name, bytes);
+        Block block;
+        block.varies = other != bytes;
+        for (const auto& [buffer, content] : {std::pair(&block.usual, &bytes), {&block.other, &other}}) {
+            auto made = headless::Buffer::create(device_, *content, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, name);
+            if (!made) return tl::unexpected(made.error().message);
+            *buffer = std::move(*made);
+        }
+        blocks_.emplace(name, std::move(block));
+    }
+    return {};
+}
+
+Outcome<void> Studio::makeTextures() {
+    const auto texels = rig::makeTextures(effect_, fixture_);
+    if (!texels) return tl::unexpected(texels.error());
+    for (const auto& [name, image] : *texels) {
+        auto usual = upload(device_, image, name), other = upload(device_, altered(image), name + ", altered");
+        if (!usual) return tl::unexpected(usual.error());
+        if (!other) return tl::unexpected(other.error());
+        textures_.emplace(name, Texture{std::move(*usual), std::move(*other)});
+    }
+    return {};
+}
+
+Outcome<void> Studio::makeGeometry() {
+    const ExplicitGeometry geometry = geometryOf(fixture_);
+    indexCount_ = static_cast<std::uint32_t>(geometry.indices.size());
+    auto indices = headless::Buffer::create(device_, std::as_bytes(std::span(geometry.indices)),
+                                            VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "indices");
+    if (!indices) return tl::unexpected(indices.error().message);
+    indices_ = std::move(*indices);
+    for (const permgen::Module* module : effect_.modules) {
+        if (module->stage != permgen::Stage::Vertex) continue;
+        auto stream = vertexStream(*module, geometry);
+        if (!stream) return tl::unexpected(fixture_.path + ": " + stream.error());
+        Stream made;
+        made.stride = stream->stride;
+        for (const VertexAttribute& attribute : stream->attributes)
+            made.elements.push_back({attribute.semantic, attribute.offset, attribute.format});
+        // The stride is dynamic state, so that there is a buffer to be bound even where nothing is read from it.
+        if (stream->bytes.empty()) stream->bytes.resize(16);
+        auto buffer = headless::Buffer::create(device_, stream->bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "vertices");
+        if (!buffer) return tl::unexpected(buffer.error().message);
+        made.vertices = std::move(*buffer);
+        streams_.emplace(module, std::move(made));
+    }
+    return {};
+}
+
+Outcome<void> Studio::makePipelines() {
+    open_ = std::make_unique<OpenEffect>(effect_, [&](const permgen::Resource& resource) {
+        return blocks_.contains(resource.name) || textures_.contains(resource.name);
+    });
+    DeviceContext context{device_.physicalDevice(), device_.device(), VK_NULL_HANDLE, Shaders::Frozen};
+    auto frozen = PassPipelines::create(context, effect_);
+    if (!frozen) return tl::unexpected(frozen.error().message);
+    frozen_ = std::make_unique<PassPipelines>(std::move(*frozen));
+    context.shaders = Shaders::Specialized;
+    auto specialized = PassPipelines::create(context, open_->tables());
+    if (!specialized) return tl::unexpected(specialized.error().message);
+    specialized_ = std::make_unique<PassPipelines>(std::move(*specialized));
+    return {};
+}
+
+bool Studio::canVary(std::string_view resource) const {
+    const auto block = blocks_.find(resource);
+    return textures_.contains(resource) || (block != blocks_.end() && block->second.varies);
+}
+
+Outcome<Studio::Targets> Studio::makeTargets(const permgen::Technique& technique) const {
+    Targets targets;
+    headless::ImageInfo info;
+    info.extent = {fixture_.width, fixture_.height};
+    info.format = fixture_.format;
+    info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    info.name = "target";
+    for (std::uint32_t i = 0; i < targetCount(technique); ++i) {
+        auto image = headless::Image::create(device_, info);
+        if (!image) return tl::unexpected(image.error().message);
+        targets.colours.push_back(std::move(*image));
+    }
+    if (fixture_.depth) {
+        info.format = depthFormat;
+        info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+        info.name = "depth";
+        auto image = headless::Image::create(device_, info);
+        if (!image) return tl::unexpected(image.error().message);
+        targets.depth = std::move(*image);
+    }
+    return targets;
+}
+
+Result<void> Studio::recordPass(VkCommandBuffer commands, const Targets& targets, PassPipelines& pipelines,
+                                const permgen::Pass& pass, const PassTarget& target, Variation variation) {
+    if (!pass.vertex.module)
+        return tl::unexpected(Error{ErrorCode::InvalidArgument, "the pass has no vertex shader; give it one"});
+    const Stream& stream = streams_.at(pass.vertex.module);
+    const auto pipeline = pipelines.get(pass, target, stream.elements);
+    if (!pipeline) return tl::unexpected(pipeline.error());
+    std::vector<NamedBuffer> buffers;
+    for (const auto& [name, block] : blocks_)
+        buffers.push_back({name, {(name == variation ? block.other : block.usual).handle(), 0, VK_WHOLE_SIZE}});
+    std::vector<NamedImage> images;
+    for (const auto& [name, texture] : textures_)
+        images.push_back({name, (name == variation ? texture.other : texture.usual).view(),
+                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
+    if (const auto pushed = pipelines.push(commands, *pipeline, buffers, images); !pushed)
+        return tl::unexpected(pushed.error());
+    const VkExtent2D extent = targets.colours[0].extent();
+    const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
+                              0.0f, 1.0f};
+    const VkRect2D scissor{{0, 0}, extent};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+    const VkBuffer vertices = stream.vertices.handle();
+    const VkDeviceSize offset = 0, stride = stream.stride;
+    vkCmdBindVertexBuffers2(commands, 0, 1, &vertices, &offset, nullptr, &stride);
+    vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
+    vkCmdDrawIndexed(commands, indexCount_, 1, 0, 0, 0);
+    return {};
+}
+
+Result<void> Studio::record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
+                            std::size_t passes, Shaders shaders, Variation variation) {
+    PassPipelines& pipelines = shaders == Shaders::Frozen ? *frozen_ : *specialized_;
+    const permgen::Technique& drawn = shaders == Shaders::Frozen ? technique : open_->counterpart(technique);
+    PassTarget target;
+    std::vector<VkRenderingAttachmentInfo> colours;
+    for (const headless::Image& image : targets.colours) {
+        headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+        target.colours[colours.size()] = image.format();
+        VkRenderingAttachmentInfo& colour = colours.emplace_back();
+        colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+        colour.imageView = image.view();
+        colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+        colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+        colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+        std::copy(fixture_.clear.begin(), fixture_.clear.end(), colour.clearValue.color.float32);
+    }
+    VkRenderingAttachmentInfo depth{};
+    depth.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    if (fixture_.depth) {
+        headless::transition(commands, targets.depth, VK_IMAGE_LAYOUT_UNDEFINED,
+                             VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
+        target.depth = depthFormat;
+        depth.imageView = targets.depth.view();
+        depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+        depth.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+        depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+        depth.clearValue.depthStencil.depth = 1.0f;
+    }
+    // Stand-ins are made with the pipelines that need them, and filled outside of rendering.
+    for (std::size_t i = 0; i < passes; ++i)
+        if (drawn.passes[i].vertex.module)
+            if (auto made = pipelines.get(drawn.passes[i], target, streams_.at(drawn.passes[i].vertex.module).elements);
+                !made)
+                return tl::unexpected(made.error());
+    pipelines.recordNeutralResources(commands);
+
+    VkRenderingInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    rendering.renderArea = {{0, 0}, targets.colours[0].extent()};
+    rendering.layerCount = 1;
+    rendering.colorAttachmentCount = static_cast<std::uint32_t>(colours.size());
+    rendering.pColorAttachments = colours.data();
+    rendering.pDepthAttachment = fixture_.depth ? &depth : nullptr;
+    vkCmdBeginRendering(commands, &rendering);
+    Result<void> done;
+    for (std::size_t i = 0; i < passes && done; ++i)
+        done = recordPass(commands, targets, pipelines, drawn.passes[i], target, variation);
+    vkCmdEndRendering(commands);
+    return done;
+}
+
+Outcome<Image> Studio::readTargets(const Targets& targets) const {
+    Image whole{static_cast<int>(fixture_.width), 0, 4, {}};
+    for (const headless::Image& target : targets.colours) {
+        const auto bytes = headless::readback(device_, target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+        if (!bytes) return tl::unexpected(bytes.error().message);
+        const std::vector<float> values = decodeTexels(*bytes, fixture_.format);
+        whole.values.insert(whole.values.end(), values.begin(), values.end());
+        whole.height += static_cast<int>(fixture_.height);
+    }
+    return whole;
+}
+
+Outcome<Image> Studio::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
+                            Variation variation) {
+    const auto targets = makeTargets(technique);
+    if (!targets) return tl::unexpected(targets.error());
+    const auto submitted = headless::submitAndWait(device_, [&](VkCommandBuffer commands) {
+        return record(commands, *targets, technique, passes, shaders, variation);
+    });
+    if (!submitted) return tl::unexpected(submitted.error().message);
+    return readTargets(*targets);
+}
+
+}  // namespace tyndall::rig

@@ -1,0 +1,24 @@
+// The texels behind an effect's samplers.
+#pragma once
+
+#include <permgen/tables.h>
+#include <rig/image.h>
+
+#include <map>
+#include <string>
+
+#include "fixture.h"
+
+namespace tyndall::rig {
+
+/// Four channels each, by the sampler's name. A generated texture is the same on every machine.
+using Texels = std::map<std::string, Image>;
+
+/// Errors: a sampler that the effect does not have (with the nearest name), one that some technique reads and that
+/// has no texture, one that is no 2D sampler, an image file that cannot be read.
+Outcome<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixture);
+
+/// The same size, every texel and channel another value: a picture that reads it has to change.
+Image altered(const Image& texels);
+
+}  // namespace tyndall::rig

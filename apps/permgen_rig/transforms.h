@@ -1,0 +1,15 @@
+// Matrices in a fixture's words: {"perspective": …}, {"lookAt": …} and their product.
+#pragma once
+
+#include "fixture.h"
+#include "json_value.h"
+
+namespace tyndall::rig {
+
+/// True where the value is an object, which only a matrix is written as.
+bool isTransform(const JsonValue& value);
+
+/// Sixteen numbers in the shape {4, 4}, rows as mul(matrix, vector) has them.
+Numbers readTransform(const JsonValue& value);
+
+}  // namespace tyndall::rig
