@@ -1,4 +1,4 @@
-# `cmake --install`: the packages permgen (program, tables, manifest loader, permgen_effect()) and tyndall (the
+# `cmake --install`: the packages permgen (programs, tables, manifest loader, permgen_effect(), permgen_rig()) and tyndall (the
 # runtime), found by find_package(permgen) and find_package(tyndall).
 include(CMakePackageConfigHelpers)
 
@@ -17,6 +17,10 @@ endforeach()
 if(TARGET tyndall)
   install(TARGETS tyndall)
 endif()
+if(TARGET permgen_rig)
+  set_target_properties(permgen_rig PROPERTIES EXPORT_NAME rig)
+  install(TARGETS permgen_rig EXPORT permgenTargets)
+endif()
 
 foreach(package IN ITEMS permgen tyndall)
   set(destination "${CMAKE_INSTALL_LIBDIR}/cmake/${package}")
@@ -31,5 +35,6 @@ foreach(package IN ITEMS permgen tyndall)
                 "${PROJECT_BINARY_DIR}/cmake/${package}ConfigVersion.cmake"
           DESTINATION "${destination}")
 endforeach()
-install(FILES "${PROJECT_SOURCE_DIR}/cmake/PermgenEffect.cmake"
+install(FILES "${PROJECT_SOURCE_DIR}/cmake/PermgenEffect.cmake" "${PROJECT_SOURCE_DIR}/cmake/PermgenRig.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/PermgenRigTests.cmake"
         DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/permgen")

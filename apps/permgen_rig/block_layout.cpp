@@ -86,12 +86,12 @@ bool describe(const Declared& declared, BlockMember& member) {
 
 std::string BlockMember::typeName() const {
     if (!settable) return "a structure";
-    std::string name(permgen::scalar_name(type));
+    std::string word(permgen::scalar_name(type));
     if (rows > 1)
-        name += fmt::format("{}x{}", rows, columns);
+        word += fmt::format("{}x{}", rows, columns);
     else if (columns > 1)
-        name += std::to_string(columns);
-    return array ? fmt::format("{}[{}]", name, elements) : name;
+        word += std::to_string(columns);
+    return array ? fmt::format("{}[{}]", word, elements) : word;
 }
 
 Outcome<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {

@@ -4,6 +4,7 @@
 #include <headless/commands.h>
 
 #include <algorithm>
+#include <set>
 
 #include "texels.h"
 
@@ -99,8 +100,11 @@ Outcome<void> Studio::makeGeometry() {
                                             VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "indices");
     if (!indices) return tl::unexpected(indices.error().message);
     indices_ = std::move(*indices);
-    for (const permgen::Module* module : effect_.modules) {
-        if (module->stage != permgen::Stage::Vertex) continue;
+    std::set<const permgen::Module*> modules;
+    for (const permgen::Technique& technique : effect_.techniques)
+        for (const permgen::Pass& pass : technique.passes)
+            if (pass.vertex.module) modules.insert(pass.vertex.module);
+    for (const permgen::Module* module : modules) {
         auto stream = vertexStream(*module, geometry);
         if (!stream) return tl::unexpected(fixture_.path + ": " + stream.error());
         Stream made;

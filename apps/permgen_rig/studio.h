@@ -26,7 +26,8 @@ using Variation = std::string_view;
 
 class Studio {
 public:
-    /// Everything that can be wrong with effect and fixture is found here. `effect` must outlive it.
+    /// Everything that can be wrong with effect and fixture is found here: the fixture has to give what the effect's
+    /// techniques read. `effect` must outlive it.
     static Outcome<std::unique_ptr<Studio>> create(const headless::Device& device, const permgen::Effect& effect,
                                                    const Fixture& fixture);
 

@@ -1,0 +1,23 @@
+// Runs a program and keeps what it says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tyndall::test {
+
+struct Ran {
+    int status = -1;   ///< exit status; 128 + the signal that ended it
+    std::string text;  ///< both outputs
+};
+
+Ran runProgram(const std::vector<std::string>& words);
+
+/// Compiles the effect's text, frozen modules included, to `folder`/`name`.fx.json, whose path it returns. Throws
+/// with permgen's words where it does not compile.
+std::string compileEffect(const std::string& folder, const std::string& name, const std::string& text);
+
+/// Replaces the one occurrence; throws where there is none or are several.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
+}  // namespace tyndall::test
