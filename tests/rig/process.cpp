@@ -21,10 +21,13 @@ Ran runProgram(const std::vector<std::string>& words) {
     return ran;
 }
 
-std::string compileEffect(const std::string& folder, const std::string& name, const std::string& text) {
+std::string compileEffect(const std::string& folder, const std::string& name, const std::string& text,
+                          const std::vector<std::string>& options) {
     const std::string source = folder + "/" + name + ".fx";
     writeText(source, text);
-    const Ran ran = runProgram({PERMGEN, "compile", source, "-o", folder + "/out", "--freeze"});
+    std::vector<std::string> words{PERMGEN, "compile", source, "-o", folder + "/out", "--freeze"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Ran ran = runProgram(words);
     if (ran.status != 0) throw std::runtime_error(ran.text);
     return folder + "/out/" + name + ".fx.json";
 }

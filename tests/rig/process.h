@@ -15,7 +15,8 @@ Ran runProgram(const std::vector<std::string>& words);
 
 /// Compiles the effect's text, frozen modules included, to `folder`/`name`.fx.json, whose path it returns. Throws
 /// with permgen's words where it does not compile.
-std::string compileEffect(const std::string& folder, const std::string& name, const std::string& text);
+std::string compileEffect(const std::string& folder, const std::string& name, const std::string& text,
+                          const std::vector<std::string>& options = {});
 
 /// Replaces the one occurrence; throws where there is none or are several.
 std::string replaced(std::string text, const std::string& from, const std::string& to);

@@ -1,0 +1,96 @@
+// The rig on a broken slices.fx: a permutation that somebody broke is named, with its picture, and no other is
+// blamed. The other test program is run on a build of the broken text.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "../rig/folder.h"
+#include "../rig/process.h"
+
+namespace tyndall::test {
+namespace {
+
+const std::string kSlices = readText(SHADERS "/slices.fx");
+
+struct BrokenPermutation : testing::Test {
+    Folder folder;
+    std::string report = folder.at("report");
+
+    Ran tryOut(const std::string& text, const std::string& tests) {
+        compileEffect(folder.path(), "slices", text, {"-I", SHADERS});
+        return runProgram({"env", "TYNDALL_EFFECTS=" + folder.at("out"), "TYNDALL_REPORT=" + report, PERMUTATION_TEST,
+                           "--gtest_filter=" + tests});
+    }
+    /// The techniques that the report blames for a check that begins with `check`. Each has its pictures.
+    std::set<std::string> blamed(const std::string& check) {
+        std::set<std::string> techniques;
+        const std::string page = readText(report + "/index.html");
+        for (const auto& at : std::filesystem::directory_iterator(report + "/entries")) {
+            const auto json = nlohmann::json::parse(readText(at.path() / "entry.json"));
+            if (!json["check"].get<std::string>().starts_with(check)) continue;
+            const std::string technique = json["technique"];
+            techniques.insert(technique);
+            EXPECT_EQ(json["pictures"], nlohmann::json({"image", "expected", "difference"})) << technique;
+            for (const char* picture : {"image", "expected", "difference"}) {
+                EXPECT_GT(readText(at.path() / (picture + std::string(".png"))).size(), 100u) << technique;
+                EXPECT_TRUE(std::filesystem::exists(at.path() / (picture + std::string(".exr")))) << technique;
+            }
+            EXPECT_NE(page.find("<h2>" + technique + "</h2>"), std::string::npos);
+            EXPECT_NE(json["command"].get<std::string>().find("TYNDALL_EFFECTS="), std::string::npos);
+        }
+        return techniques;
+    }
+};
+
+using Names = std::set<std::string>;
+
+TEST_F(BrokenPermutation, NothingIsBlamedWhereNothingIsBroken) {
+    const Ran ran = tryOut(kSlices, "*GoldenTest*:*MaskTest*:*SpecializationTest*");
+    EXPECT_EQ(ran.status, 0) << ran.text;
+    EXPECT_FALSE(std::filesystem::exists(report));
+}
+
+TEST_F(BrokenPermutation, AWrongSwitchIsBlamedOnItsTechniqueByEveryTier) {
+    const std::string broken = "clip_nonoise_shadow_cookie_technique";
+    const Ran ran = tryOut(replaced(kSlices, broken + ",      false, true,  true)", broken + ", false, true, false)"),
+                           "*GoldenTest*:*MaskTest*:*LiveTest*:*SpirvTest*:*TechniqueTest*" + broken + "*");
+    EXPECT_EQ(ran.status, 1) << ran.text;
+    EXPECT_EQ(blamed("golden"), Names{broken});
+    EXPECT_EQ(blamed("mask of cookie"), Names{broken});
+    EXPECT_EQ(blamed("oracle"), Names{broken});
+    EXPECT_NE(ran.text.find("[  FAILED  ] SlicesFx/LiveTest.ExactlyTheUniformBlockAndTheSamplersItsSwitchesCallFor/" +
+                            broken),
+              std::string::npos);
+    EXPECT_NE(ran.text.find("[  FAILED  ] SlicesFx/SpirvTest.ItsSwitchesAreWhatItsNameSays/" + broken),
+              std::string::npos);
+}
+
+TEST_F(BrokenPermutation, AFaultInOneTermIsBlamedOnTheTechniquesThatHaveItAndOnThatMask) {
+    const Ran ran = tryOut(replaced(kSlices, "cookie = project(CookieSampler, tcProj).rgb;",
+                                    "cookie = project(CookieSampler, tcProj * float4(1.01, 1.0, 1.0, 1.0)).rgb;"),
+                           "*GoldenTest*:*MaskTest*");
+    EXPECT_EQ(ran.status, 1) << ran.text;
+    const Names withCookie{"clip_noise_shadow_cookie_technique", "clip_noise_noshadow_cookie_technique",
+                           "clip_nonoise_shadow_cookie_technique", "clip_nonoise_noshadow_cookie_technique"};
+    EXPECT_EQ(blamed("golden"), withCookie);
+    EXPECT_EQ(blamed("mask of cookie"), withCookie);
+    EXPECT_EQ(blamed("mask of shadow"), Names{});
+    EXPECT_EQ(blamed("mask of noise"), Names{});
+}
+
+// What the effect declares is what is tried, without a word in the tests.
+TEST_F(BrokenPermutation, ANewTechniqueIsTriedAndLacksItsGolden) {
+    const Ran ran = tryOut(kSlices + "SLICE_TECHNIQUE(added_technique, true, true, true)\n",
+                           "*GoldenTest*:*SpecializationTest*:*SpirvTest*");
+    EXPECT_EQ(ran.status, 1) << ran.text;
+    EXPECT_NE(ran.text.find("added_technique, golden added_technique.physical: there is no golden"), std::string::npos)
+        << ran.text;
+    EXPECT_NE(ran.text.find("[       OK ] SlicesFx/SpecializationTest.DrawsTheSameTwice/added_technique"),
+              std::string::npos);
+    EXPECT_NE(ran.text.find("2 FAILED TESTS"), std::string::npos) << ran.text;
+}
+
+}  // namespace
+}  // namespace tyndall::test
