@@ -99,13 +99,14 @@ std::vector<std::byte> altered(const std::vector<BlockMember>& members, std::str
             if (member.type == permgen::ScalarType::Float) {
                 float value = 0.0f;
                 std::memcpy(&value, &bytes.at(offset), sizeof value);
-                value = 0.75f * value + 0.125f + 0.03125f * static_cast<float>(index % 7);
+                const float next = 0.75f * value + 0.125f + 0.03125f * static_cast<float>(index % 7);
+                value = next != value ? next : 0.5f * value;
                 std::memcpy(&bytes.at(offset), &value, sizeof value);
             } else {
-                // Small, so that a loop's bound stays one.
+                // Another truth value, and small, so that a loop's bound stays one.
                 std::uint32_t value = 0;
                 std::memcpy(&value, &bytes.at(offset), sizeof value);
-                value = value == 1 ? 2 : 1;
+                value = value == 0 ? 1 : 0;
                 std::memcpy(&bytes.at(offset), &value, sizeof value);
             }
         });

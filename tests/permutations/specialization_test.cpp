@@ -14,7 +14,7 @@ Drawing drawByName(const Permutation& permutation, bool article, Shaders shaders
     Shot shot = sideView();
     shot.article = article;
     DrawOptions options;
-    options.technique = permutation.technique->name;
+    options.drawnWith = permutation.technique->name;
     options.shaders = shaders;
     return draw(shot, options);
 }

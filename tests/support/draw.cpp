@@ -131,6 +131,8 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
     Renderer& renderer = options.shaders == Shaders::Frozen ? g.frozen : g.specialized;
     Drawing drawing;
     drawing.plan = must(plan(std::span(&shot.light, 1), viewOf(shot), planOptionsOf(shot, options)));
+    if (options.drawnWith)
+        for (PlannedLight& light : drawing.plan.lights) light.technique = *options.drawnWith;
 
     const Textures textures = texturesOf(shot);
     const Texture depthTexels =

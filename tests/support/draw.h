@@ -18,6 +18,7 @@ struct DrawOptions {
     Accumulation accumulation = Accumulation::Rgba32f;
     double range = 1.0;                         ///< PlanOptions::range
     std::optional<std::string_view> technique;  ///< PlanOptions::technique
+    std::optional<std::string_view> drawnWith;  ///< takes the planned technique's place: any that the effect declares
     Shaders shaders = Shaders::Frozen;          ///< DeviceContext::shaders
     bool composite = false;                     ///< into a picture of kBackground
     bool blur = false;                          ///< when compositing
