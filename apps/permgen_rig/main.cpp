@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 
 #include "checks.h"
 #include "fixture.h"
@@ -96,18 +97,26 @@ std::vector<std::pair<std::string, std::string>> switches(const permgen::Techniq
     return named;
 }
 
+/// From wherever the command is given again.
+std::string absolute(const std::string& path) {
+    std::error_code ignored;
+    return path.empty() ? path : std::filesystem::absolute(path, ignored).lexically_normal().string();
+}
+
 std::string commandOf(const Options& options, const permgen::Technique& technique) {
     std::vector<std::string> words;
     for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
         if (const char* value = std::getenv(name)) words.push_back(fmt::format("{}={}", name, value));
     if (!words.empty()) words.insert(words.begin(), "env");
+    std::error_code ignored;
     words.insert(words.end(),
-                 {"permgen-rig", options.manifest, options.fixture, "--technique", std::string(technique.name)});
+                 {std::filesystem::read_symlink("/proc/self/exe", ignored).string(), absolute(options.manifest),
+                  absolute(options.fixture), "--technique", std::string(technique.name)});
     const auto add = [&](const char* option, const std::string& value) {
         if (!value.empty()) words.insert(words.end(), {option, value});
     };
-    add("--goldens", options.goldens);
-    add("--report", options.report);
+    add("--goldens", absolute(options.goldens));
+    add("--report", absolute(options.report));
     add("--device", options.device);
     return shellCommand(words);
 }

@@ -172,6 +172,11 @@ std::string article(const Entry& entry) {
     return html + "</article>\n";
 }
 
+std::string shortName(const Json& json) {
+    const std::string pass = text(json, "pass");
+    return text(json, "technique") + (pass.empty() ? "" : ", " + pass) + ": " + text(json, "check");
+}
+
 /// One entry that another version wrote, or a hand changed, must not cost the page.
 std::string safeArticle(const Entry& entry) {
     try {
@@ -209,8 +214,7 @@ std::string reportPage(const std::string& entriesFolder) {
     if (entries.size() > 1) {
         html += "<nav><h2>Failing</h2>\n";
         for (const Entry& entry : entries)
-            html += fmt::format("<a href=\"#{}\">{}: {}</a>\n", escaped(entry.key),
-                                escaped(text(entry.json, "technique")), escaped(text(entry.json, "check")));
+            html += fmt::format("<a href=\"#{}\">{}</a>\n", escaped(entry.key), escaped(shortName(entry.json)));
         html += "</nav>\n";
     }
     for (const Entry& entry : entries) html += safeArticle(entry);
