@@ -50,8 +50,8 @@ void expectWithin(const Drawing& a, const Drawing& b, double relative) {
     EXPECT_LE(worst, relative);
 }
 
-void expectExactlyZero(const Shot& shot, const Permutation& permutation) {
-    const Drawing drawing = draw(shot);
+void expectExactlyZero(const Shot& shot, const Permutation& permutation, const DrawOptions& options = {}) {
+    const Drawing drawing = draw(shot, options);
     EXPECT_EQ(drawing.plan.lights.at(0).technique, permutation.technique->name);
     EXPECT_GT(drawing.counters.draws, 0u);
     int nonzero = 0;
@@ -87,6 +87,40 @@ TEST_P(ShadowLawTest, FullOcclusionLeavesNothing) {
     expectExactlyZero(blocked, GetParam());
 }
 
+/// Rounding may put air at either end of the light's volume beyond the depths that a map can hold; `by` puts all
+/// of it there.
+DrawOptions withDepthMoved(float by) {
+    DrawOptions options;
+    options.change = [by](Plan& plan) { plan.lights.at(0).constants.shadow.x += by; };
+    return options;
+}
+
+TEST_P(ShadowLawTest, AFullMapBlocksAirBeforeTheNearPlaneToo) {
+    Shot blocked = shotFor(GetParam(), sideView());
+    blocked.shadowMap = constantTexture(32, 32, {1.0f});
+    expectExactlyZero(blocked, GetParam(), withDepthMoved(1.0f));
+}
+
+TEST_P(ShadowLawTest, AnEmptyMapBlocksNothingBeyondTheFarPlaneEither) {
+    Shot empty = shotFor(GetParam(), sideView());
+    empty.shadowMap = constantTexture(32, 32, {0.0f});
+    expectIdentical(draw(empty, withDepthMoved(-1.0f)), draw(empty));
+}
+
+// A lamp turned round in its place has all of the slices behind it: there the projection would repeat the beam.
+TEST_P(LawTest, NothingBehindTheLamp) {
+    DrawOptions options;
+    options.change = [](Plan& plan) {
+        glm::mat4 turned(1.0f);
+        turned[0][0] = turned[2][2] = -1.0f;  // half a turn about y
+        SliceConstants& constants = plan.lights.at(0).constants;
+        constants.lightFromView = turned * constants.lightFromView;
+    };
+    Shot shot = shotFor(GetParam(), sideView());
+    shot.shadowMap = constantTexture(32, 32, {0.0f});
+    expectExactlyZero(shot, GetParam(), options);
+}
+
 TEST_P(NoiseLawTest, ZeroNoiseLeavesNothing) {
     for (const auto& [red, green] : {std::pair{0.0f, 1.0f}, {1.0f, 0.0f}, {0.0f, 0.0f}}) {
         Shot still = shotFor(GetParam(), sideView());
@@ -104,6 +138,28 @@ TEST_P(NoiseLawTest, NoiseOfConstantProductEqualsNoNoiseAtTheInverseGain) {
     even.light.noise->gain = 1.0 / 0.3;
     ASSERT_EQ(even.slices, 16);
     expectWithin(draw(even), draw(withTerms(even, false, GetParam().shadow, GetParam().cookie)), 49.0 * kFloatEps);
+}
+
+// A map of which only the middle of texel (0, 0) is looked up is one that holds that texel's value all over. 49 e as
+// above; and coordinates, after a matrix, a scale, a phase and a division, are 16 e off the texel's middle, times 8
+// texels, times at most 0.6 / 0.4 of the value from one texel to the next: 192 e.
+TEST_P(NoiseLawTest, EachMapHasAScaleAndAPhaseOfItsOwn) {
+    const Shot shot = shotFor(GetParam(), sideView());
+    const Texture& noise = shot.noiseMap;
+    const double middle = 0.5 / noise.width;
+    for (const int map : {0, 1}) {
+        SCOPED_TRACE(map);
+        DrawOptions still;
+        still.change = [&](Plan& plan) {
+            SliceConstants& constants = plan.lights.at(0).constants;
+            (map == 0 ? constants.noise1 : constants.noise2) = glm::vec4(0.0f, 0.0f, middle, middle);
+        };
+        Shot even = shot;
+        even.noiseMap = makeTexture(noise.width, noise.height, 2, [&](int x, int y, int c) {
+            return static_cast<double>(c == map ? noise.at(0, 0, c) : noise.at(x, y, c));
+        });
+        expectWithin(draw(shot, still), draw(even), (49.0 + 192.0) * kFloatEps);
+    }
 }
 
 // A technique may be forced on a light that does not call for it; what it lacks then masks nothing.

@@ -55,12 +55,24 @@ protected:
             attachment.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
             attachments.push_back(attachment);
         }
+        headless::Image depth;
+        VkRenderingAttachmentInfo depthAttachment{};
+        if (target.depth != VK_FORMAT_UNDEFINED) {
+            depth = makeImage({4, 4}, target.depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, "depth");
+            depthAttachment = attachments.front();
+            depthAttachment.imageView = depth.view();
+            depthAttachment.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+            depthAttachment.clearValue.depthStencil.depth = 0.75f;
+        }
         std::vector<PassPipeline> ready;
         for (const permgen::Pass* one : passes) ready.push_back(must(pipelines->get(*one, target, kElements)));
         run([&](VkCommandBuffer commands) -> Result<void> {
             for (const headless::Image& image : images)
                 headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED,
                                      VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+            if (depth.handle())
+                headless::transition(commands, depth, VK_IMAGE_LAYOUT_UNDEFINED,
+                                     VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
             pipelines->recordNeutralResources(commands);
             VkRenderingInfo rendering{};
             rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
@@ -68,6 +80,7 @@ protected:
             rendering.layerCount = 1;
             rendering.colorAttachmentCount = static_cast<std::uint32_t>(attachments.size());
             rendering.pColorAttachments = attachments.data();
+            rendering.pDepthAttachment = depth.handle() ? &depthAttachment : nullptr;
             vkCmdBeginRendering(commands, &rendering);
             const VkViewport viewport{0.0f, 0.0f, 4.0f, 4.0f, 0.0f, 1.0f};
             vkCmdSetViewport(commands, 0, 1, &viewport);
@@ -151,6 +164,22 @@ TEST_P(PassPipelinesTest, CullingIsThePassesOrDynamic) {
     };
     EXPECT_EQ(draw({&pass("culled")}, dynamic, culling(VK_CULL_MODE_BACK_BIT))[0][5], kPaint);
     EXPECT_EQ(draw({&pass("still")}, dynamic, culling(VK_CULL_MODE_FRONT_BIT))[0][5], black);
+}
+
+TEST_P(PassPipelinesTest, DepthIsComparedAsThePassSaysOrElseAsTheTargetDoes) {
+    const Rgba black{};
+    PassTarget target{.colours = {kFormat}, .depth = VK_FORMAT_D32_SFLOAT, .compare = VK_COMPARE_OP_GREATER};
+    EXPECT_EQ(draw({&pass("plain")}, target)[0][5], black) << "0.5 is not greater than 0.75";
+    EXPECT_EQ(draw({&pass("nearer")}, target)[0][5], kPaint) << "but less";
+    target.compare = VK_COMPARE_OP_LESS;
+    EXPECT_EQ(draw({&pass("plain")}, target)[0][5], kPaint);
+    // What is written hides what comes at the same depth, what is not does not.
+    const Rgba once = kPaint;
+    const auto glazed = [&](std::string_view first) {
+        return draw({&pass(first), &pass("nearer_glaze")}, target)[0][5];
+    };
+    EXPECT_EQ(glazed("plain"), once);
+    EXPECT_EQ(glazed("nearer"), (Rgba{2 * once[0], 2 * once[1], 2 * once[2], 2 * once[3]}));
 }
 
 TEST_P(PassPipelinesTest, APipelineIsMadeOnceForEachTargetAndLayout) {

@@ -113,28 +113,34 @@ TEST_F(RecordComposite, BlurStopsAtDepthEdges) {
 }
 
 TEST_F(RecordComposite, BlurFadesWithTheDistanceBetweenSurfaces) {
-    // A twentieth apart: half the weight, (1 + 2) / (1 + 2 + 0.5) beside the edge.
-    const std::vector<float> row = blurredRow(VK_COMPARE_OP_GREATER_OR_EQUAL, 0.4f, 0.38f);
-    EXPECT_NEAR(row[7], 3.0f / 3.5f, 1e-5f);
-    EXPECT_NEAR(row[8], 0.5f / 3.5f, 1e-5f);
+    // A twentieth apart: half the weight, (1 + 2) / (1 + 2 + 0.5) beside the edge. The same surfaces in
+    // conventional depth.
+    for (const auto& row : {blurredRow(VK_COMPARE_OP_GREATER_OR_EQUAL, 0.4f, 0.38f),
+                            blurredRow(VK_COMPARE_OP_LESS_OR_EQUAL, 0.6f, 0.62f)}) {
+        EXPECT_NEAR(row[7], 3.0f / 3.5f, 1e-5f);
+        EXPECT_NEAR(row[8], 0.5f / 3.5f, 1e-5f);
+    }
 }
 
 TEST_F(RecordComposite, BlurKeepsConstantsAndReachesEveryNeighbour) {
-    Stage stage({16, 12});
-    setAccumulation(stage, [](std::uint32_t x, std::uint32_t y) {
-        return x == 7 && y == 5 ? Rgba{16.0f, 0.0f, 1.0f, 0.0f} : Rgba{0.0f, 0.0f, 1.0f, 0.0f};
-    });
-    ShaftTargets targets = stage.targets();
-    targets.blur = true;
-    composite(stage, emptyPlan(Accumulation::Rgba32f, 1.0, glm::vec3(1.0f)), targets);
-    const std::vector<Rgba> picture = stage.picture();
-    for (int y = 0; y < 12; ++y)
-        for (int x = 0; x < 16; ++x) {
+    // Far from square: the other axis' texel would reach beyond the neighbour.
+    for (const VkExtent2D extent : {VkExtent2D{36, 12}, VkExtent2D{12, 36}}) {
+        Stage stage(extent);
+        setAccumulation(stage, [](std::uint32_t x, std::uint32_t y) {
+            return x == 7 && y == 5 ? Rgba{16.0f, 0.0f, 1.0f, 0.0f} : Rgba{0.0f, 0.0f, 1.0f, 0.0f};
+        });
+        ShaftTargets targets = stage.targets();
+        targets.blur = true;
+        composite(stage, emptyPlan(Accumulation::Rgba32f, 1.0, glm::vec3(1.0f)), targets);
+        const std::vector<Rgba> picture = stage.picture();
+        for (std::size_t i = 0; i < picture.size(); ++i) {
+            const int x = static_cast<int>(i % extent.width), y = static_cast<int>(i / extent.width);
             const int dx = std::abs(x - 7), dy = std::abs(y - 5);
             const float expected = dx < 2 && dy < 2 ? static_cast<float>((2 - dx) * (2 - dy)) : 0.0f;
-            EXPECT_FLOAT_EQ(picture[y * 16 + x][0], expected) << x << ", " << y;
-            EXPECT_FLOAT_EQ(picture[y * 16 + x][2], 1.0f) << x << ", " << y;
+            EXPECT_FLOAT_EQ(picture[i][0], expected) << x << ", " << y;
+            EXPECT_FLOAT_EQ(picture[i][2], 1.0f) << x << ", " << y;
         }
+    }
 }
 
 }  // namespace

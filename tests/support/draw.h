@@ -4,6 +4,7 @@
 #include <tyndall/plan.h>
 #include <tyndall/renderer.h>
 
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -22,6 +23,7 @@ struct DrawOptions {
     Shaders shaders = Shaders::Frozen;          ///< DeviceContext::shaders
     bool composite = false;                     ///< into a picture of kBackground
     bool blur = false;                          ///< when compositing
+    std::function<void(Plan&)> change;          ///< of the plan, before it is drawn
 };
 
 inline constexpr std::array<float, 4> kBackground{0.125f, 0.25f, 0.5f, 1.0f};
