@@ -1,0 +1,76 @@
+"""Single faults as data: where a text stands, what takes its place, and what that breaks."""
+
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+
+
+class BadMutant(Exception):
+    """A mutant that says nothing about the tests: its text is gone, or it does not build."""
+
+
+@dataclass(frozen=True)
+class Mutant:
+    id: str
+    file: str  # relative to the root
+    find: str
+    replace: str
+    breaks: str  # what a person would notice
+    index: int | None = None  # which of several occurrences, from 0; absent: there must be one
+    equivalent: str | None = None  # the proof that no test could notice
+
+    def applied(self, text: str) -> str:
+        """`text` with the fault in it."""
+        count = text.count(self.find)
+        wanted = 1 if self.index is None else self.index + 1
+        if count < wanted or (self.index is None and count > 1):
+            raise BadMutant(f"{self.id}: {self.file} holds {self.find!r} {count} times, not "
+                            f"{'once' if self.index is None else f'{wanted} times or more'}; bring it up to date")
+        if self.find == self.replace:
+            raise BadMutant(f"{self.id}: replaces {self.find!r} by itself")
+        start = -1
+        for _ in range(wanted):
+            start = text.index(self.find, start + 1)
+        return text[:start] + self.replace + text[start + len(self.find):]
+
+
+def load_file(data: Path) -> list[Mutant]:
+    try:
+        return [Mutant(**entry) for entry in json.loads(data.read_text())]
+    except (json.JSONDecodeError, TypeError) as error:
+        raise BadMutant(f"{data}: {error}") from error
+
+
+def load(language: str) -> list[Mutant]:
+    """Every mutant of `language` ("hlsl" or "cpp"), in the order of files and lines."""
+    mutants = [mutant for data in sorted((HERE / language).glob("*.json")) for mutant in load_file(data)]
+    ids = [mutant.id for mutant in mutants]
+    for repeated in sorted({name for name in ids if ids.count(name) > 1}):
+        raise BadMutant(f"{repeated}: two mutants have this id")
+    return mutants
+
+
+def check(mutants: list[Mutant]) -> None:
+    """Raises BadMutant where a mutant's text is not in its file any more."""
+    for mutant in mutants:
+        mutant.applied((ROOT / mutant.file).read_text())
+
+
+def failed_test(output: str) -> str | None:
+    """The first test that googletest says has failed."""
+    found = re.search(r"^\[  FAILED  \] ([\w./]+)", output, re.MULTILINE)
+    return found and found[1]
+
+
+def report(language: str, killed: dict[str, str], survivors: list[Mutant], equivalents: list[Mutant]) -> int:
+    """Prints the score; the exit status."""
+    for mutant in survivors:
+        print(f"SURVIVED {mutant.id}: {mutant.breaks} ({mutant.file}: {mutant.find!r} -> {mutant.replace!r})")
+    ran = len(killed) + len(survivors)
+    print(f"{language}: {len(killed)} of {ran} mutants killed, {len(survivors)} survived, "
+          f"{len(equivalents)} proven equivalent and not run")
+    return 1 if survivors else 0
