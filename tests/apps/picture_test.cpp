@@ -4,7 +4,10 @@
 #include <tyndall/image/tone_map.h>
 #include <tyndall/image/write_picture.h>
 
+#include <chrono>
+#include <fstream>
 #include <limits>
+#include <thread>
 
 #include "glb.h"
 #include "program.h"
@@ -55,6 +58,20 @@ TEST(WritePicture, ExrKeepsEveryBit) {
     ASSERT_EQ(read.height, 2);
     for (int c = 0; c < 3; ++c) EXPECT_EQ(read.at(1, 0, c), picture.pixels[1][c]);
     EXPECT_EQ(neighbours(path), std::vector<std::string>{"picture.exr"}) << "nothing is left beside it";
+}
+
+TEST(WritePicture, TheSamePictureIsTheSameBytes) {
+    const auto bytes = [](const std::string& path) {
+        std::ifstream file(path, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    for (const char* name : {"picture.exr", "picture.png"}) {
+        const std::string first = freshPath(name), second = freshPath(name);
+        ASSERT_TRUE(app::writePicture(first, filled(3, 2, glm::vec3(0.5f)), std::nullopt));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // dates in headers count seconds
+        ASSERT_TRUE(app::writePicture(second, filled(3, 2, glm::vec3(0.5f)), std::nullopt));
+        EXPECT_EQ(bytes(first), bytes(second)) << name;
+    }
 }
 
 TEST(WritePicture, PngIsToneMapped) {

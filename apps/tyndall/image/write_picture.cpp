@@ -65,6 +65,7 @@ Outcome<void> saveImage(const std::string& partial, const std::string& path, con
     if (!file) return fail("{}: cannot be written: {}", path, OIIO::geterror());
     OIIO::ImageSpec spec(raster.width, raster.height, static_cast<int>(raster.channels.size()), raster.type);
     spec.channelnames = raster.channels;
+    spec.attribute("DateTime", "");  // or the library writes the present one, and no two files are alike
     spec.attribute("oiio:ColorSpace", raster.type == OIIO::TypeDesc::UINT8 ? "sRGB" : "Linear");
     if (!file->open(partial, spec) || !file->write_image(raster.type, raster.pixels) || !file->close())
         return fail("{}: cannot be written: {}; choose another place", path, file->geterror());
