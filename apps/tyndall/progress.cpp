@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 
@@ -15,12 +16,22 @@ void askToStop(int) {
     stop = 1;
 }
 
-void handle(void (*handler)(int)) {
+constexpr std::array signals{SIGINT, SIGTERM};
+std::array<struct sigaction, signals.size()> before;
+
+void catchSignals() {
     struct sigaction action {};
-    action.sa_handler = handler;
+    action.sa_handler = askToStop;
     action.sa_flags = SA_RESETHAND | SA_RESTART;  // the second signal meets the default: it ends the program
     sigemptyset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        sigaction(signals[i], nullptr, &before[i]);
+        if (before[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);  // as nohup and shells ask for
+    }
+}
+
+void releaseSignals() {
+    for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before[i], nullptr);
 }
 
 constexpr auto linesEvery = std::chrono::milliseconds(200);
@@ -33,11 +44,11 @@ Watch::Watch(std::string what)
       start_(std::chrono::steady_clock::now()),
       last_(start_) {
     stop = 0;
-    handle(askToStop);
+    catchSignals();
 }
 
 Watch::~Watch() {
-    handle(SIG_DFL);
+    releaseSignals();
     clearLine();
 }
 

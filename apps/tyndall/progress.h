@@ -11,7 +11,7 @@ namespace tyndall::app {
 using Progress = std::function<bool(double)>;
 
 /// From construction to destruction, Ctrl-C and SIGTERM only set a mark that report() answers to; a second one
-/// ends the program at once. One at a time.
+/// ends the program at once. Signals that were ignored stay so. One at a time.
 class Watch {
 public:
     explicit Watch(std::string what);

@@ -221,6 +221,19 @@ TEST(Compare, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_NE(runTyndall({"compare", TYNDALL_PROGRAM, good}).errors.find("neither OpenEXR nor PNG"), std::string::npos);
 }
 
+TEST(Compare, ChannelsOfOtherNamesAreNamed) {
+    const std::string named = writeExr(picture(), {.channels = {"direct.I", "direct.J", "direct.K"}});
+    const ProgramRun run = runTyndall({"compare", named, writeExr(picture())});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.errors,
+              "tyndall: note: channels direct.I direct.J direct.K are compared with R G B, in this order\n");
+}
+
+TEST(Compare, PathsThatAreNoUtf8StillMakeJson) {
+    const std::string path = writeExr(picture(), {}, "p\xffq.exr");
+    EXPECT_NE(report(path, path)["image"]["file"].get<std::string>().find("p\xEF\xBF\xBDq.exr"), std::string::npos);
+}
+
 TEST(Compare, SizesAndChannelsMustAgree) {
     const std::string good = writeExr(picture());
     const ProgramRun size = runTyndall({"compare", writeExr({2, 2, 3, std::vector<float>(12)}), good});

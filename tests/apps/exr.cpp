@@ -27,6 +27,7 @@ std::string writeExr(const study::FloatImage& image, const ExrLayout& layout, co
     auto file = OIIO::ImageOutput::create("openexr");
     OIIO::ImageSpec spec(image.width, image.height, image.channels, layout.type);
     if (image.channels == 1) spec.channelnames = {"Y"};
+    if (!layout.channels.empty()) spec.channelnames = layout.channels;
     spec.tile_width = spec.tile_height = layout.tile;
     spec.deep = layout.deep;
     if (layout.cropped) spec.full_width = image.width + 1;

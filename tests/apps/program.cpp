@@ -39,6 +39,7 @@ Running start(const std::vector<std::string>& arguments, const std::vector<std::
     if (running.child != 0) return running;
     for (const auto& [path, stream] : {std::pair(&running.out, STDOUT_FILENO), std::pair(&running.err, STDERR_FILENO)})
         dup2(open(path->c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), stream);
+    for (const int each : {SIGINT, SIGTERM}) std::signal(each, SIG_DFL);  // whoever started the tests may ignore them
     // Pictures of tests come from lavapipe, whatever else the machine has.
     std::vector<std::string> settings = {std::string("VK_DRIVER_FILES=") + lavapipe,
                                          std::string("VK_ICD_FILENAMES=") + lavapipe};

@@ -5,6 +5,7 @@
 #include "../image/write_picture.h"
 #include "commands.h"
 #include "compare_report.h"
+#include "json_text.h"
 
 namespace tyndall::app {
 namespace {
@@ -52,12 +53,16 @@ Outcome<Said> compare(const CompareOptions& options) {
     comparison.metrics = *metrics;
 
     Said said;
+    if (comparison.image.channels != comparison.reference.channels)
+        said.notes.push_back(fmt::format("note: channels {} are compared with {}, in this order",
+                                         fmt::join(comparison.image.channels, " "),
+                                         fmt::join(comparison.reference.channels, " ")));
     if (options.difference) {
         auto written = writeDifference(*options.difference, comparison, options);
         if (!written) return tl::unexpected(written.error());
         said.notes.push_back(std::move(*written));
     }
-    said.output = options.json ? compareReport(comparison, options).dump(2) + "\n" : compareText(comparison, options);
+    said.output = options.json ? jsonText(compareReport(comparison, options)) : compareText(comparison, options);
     said.verdict = verdict(comparison, options);
     return said;
 }

@@ -7,6 +7,7 @@
 #include "../reference/reference_scene.h"
 #include "check_outputs.h"
 #include "commands.h"
+#include "json_text.h"
 #include "reference_report.h"
 
 namespace tyndall::app {
@@ -62,7 +63,7 @@ Outcome<Said> reference(const ReferenceOptions& options, const Progress& progres
         return tl::unexpected(written.error());
     if (options.stats) {
         const auto report = referenceReport(options, *viewed, *image, run);
-        if (auto written = writeText(*options.stats, report.dump(2) + "\n"); !written)
+        if (auto written = writeText(*options.stats, jsonText(report)); !written)
             return tl::unexpected(written.error());
     }
     Said said;

@@ -6,6 +6,7 @@
 #include "../render/render_scene.h"
 #include "check_outputs.h"
 #include "commands.h"
+#include "json_text.h"
 #include "report.h"
 
 namespace tyndall::app {
@@ -29,7 +30,7 @@ Outcome<Said> render(const RenderOptions& options) {
     Said said;
     if (options.stats) {
         const auto report = frameReport(*planned, options.view, options.shafts, frame->statistics, device->name());
-        if (auto written = writeText(*options.stats, report.dump(2) + "\n"); !written)
+        if (auto written = writeText(*options.stats, jsonText(report)); !written)
             return tl::unexpected(written.error());
     }
     for (const std::string& warning : planned->scene.warnings) said.notes.push_back("warning: " + warning);

@@ -16,6 +16,8 @@ namespace tyndall::app {
 namespace {
 
 constexpr int mostChannels = 64;
+/// 4 GiB of floats: a broken header of a few bytes must not ask for all memory there is.
+constexpr std::size_t mostValues = std::size_t{1} << 30;
 
 /// The image library's name of the format that the first bytes announce.
 Outcome<const char*> formatOf(const std::string& path) {
@@ -50,6 +52,9 @@ Outcome<void> checkLayout(const std::string& path, const OIIO::ImageSpec& spec, 
         return fail("{}: is {}x{} pixels; each side must be from 1 to {}", path, spec.width, spec.height, side);
     if (spec.nchannels < 1 || spec.nchannels > mostChannels)
         return fail("{}: has {} channels; from 1 to {} can be compared", path, spec.nchannels, mostChannels);
+    if (static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels > mostValues)
+        return fail("{}: is {}x{} pixels of {} channels, more than {} values; cut it into parts", path, spec.width,
+                    spec.height, spec.nchannels, mostValues);
     if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
         spec.height != spec.full_height)
         return fail(
