@@ -35,15 +35,51 @@ Outcome<headless::Image> upload(const headless::Device& device, const Image& tex
     return image;
 }
 
-/// How many render targets the technique's passes write: COLOR0 to COLOR3.
-std::uint32_t targetCount(const permgen::Technique& technique) {
-    std::uint32_t count = 1;
-    for (const permgen::Pass& pass : technique.passes) {
-        if (!pass.pixel.module) continue;
+/// How many render targets the pass writes, COLOR0 to COLOR3. The rest it leaves alone, as Direct3D 9 has it; Vulkan
+/// leaves what is in them undefined, so that they are not bound.
+std::uint32_t targetsOf(const permgen::Pass& pass) {
+    std::uint32_t count = 0;
+    if (pass.pixel.module)
         for (const permgen::Attribute& attribute : pass.pixel.module->attributes)
             if (attribute.semantic.starts_with("COLOR")) count = std::max(count, attribute.location + 1);
-    }
     return std::min(count, 4u);
+}
+
+std::uint32_t targetsOf(const permgen::Technique& technique) {
+    std::uint32_t count = 1;
+    for (const permgen::Pass& pass : technique.passes) count = std::max(count, targetsOf(pass));
+    return count;
+}
+
+/// Rendering into the first `count` of the targets, and into the depth buffer where there is one.
+void beginRendering(VkCommandBuffer commands, std::span<const headless::Image> colours, const headless::Image* depth,
+                    VkAttachmentLoadOp load, const std::array<float, 4>& clear) {
+    std::vector<VkRenderingAttachmentInfo> attachments;
+    VkRenderingAttachmentInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    info.loadOp = load;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    std::copy(clear.begin(), clear.end(), info.clearValue.color.float32);
+    for (const headless::Image& image : colours) {
+        info.imageView = image.view();
+        attachments.push_back(info);
+    }
+    VkRenderingInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    rendering.layerCount = 1;
+    rendering.colorAttachmentCount = static_cast<std::uint32_t>(attachments.size());
+    rendering.pColorAttachments = attachments.data();
+    if (depth) {
+        info.imageView = depth->view();
+        info.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+        info.clearValue = {};
+        info.clearValue.depthStencil.depth = 1.0f;
+        rendering.pDepthAttachment = &info;
+    }
+    const VkExtent2D extent = depth ? depth->extent() : colours.empty() ? VkExtent2D{1, 1} : colours[0].extent();
+    rendering.renderArea = {{0, 0}, extent};
+    vkCmdBeginRendering(commands, &rendering);
 }
 
 }  // namespace
@@ -148,7 +184,7 @@ Outcome<Studio::Targets> Studio::makeTargets(const permgen::Technique& technique
     info.format = fixture_.format;
     info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     info.name = "target";
-    for (std::uint32_t i = 0; i < targetCount(technique); ++i) {
+    for (std::uint32_t i = 0; i < targetsOf(technique); ++i) {
         auto image = headless::Image::create(device_, info);
         if (!image) return tl::unexpected(image.error().message);
         targets.colours.push_back(std::move(*image));
@@ -165,9 +201,13 @@ Outcome<Studio::Targets> Studio::makeTargets(const permgen::Technique& technique
 }
 
 Result<void> Studio::recordPass(VkCommandBuffer commands, const Targets& targets, PassPipelines& pipelines,
-                                const permgen::Pass& pass, const PassTarget& target, Variation variation) {
+                                const permgen::Pass& pass, Variation variation) {
     if (!pass.vertex.module)
         return tl::unexpected(Error{ErrorCode::InvalidArgument, "the pass has no vertex shader; give it one"});
+    const std::span colours(targets.colours.data(), targetsOf(pass));
+    PassTarget target;
+    for (std::size_t i = 0; i < colours.size(); ++i) target.colours[i] = fixture_.format;
+    if (fixture_.depth) target.depth = depthFormat;
     const Stream& stream = streams_.at(pass.vertex.module);
     const auto pipeline = pipelines.get(pass, target, stream.elements);
     if (!pipeline) return tl::unexpected(pipeline.error());
@@ -179,10 +219,20 @@ Result<void> Studio::recordPass(VkCommandBuffer commands, const Targets& targets
         images.push_back({name, (name == variation ? texture.other : texture.usual).view(),
                           VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
 
+    // Stand-ins are made with the pipeline that needs them, and filled outside of rendering.
+    pipelines.recordNeutralResources(commands);
+    headless::fullBarrier(commands);
+    beginRendering(commands, colours, fixture_.depth ? &targets.depth : nullptr, VK_ATTACHMENT_LOAD_OP_LOAD, {});
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
-    if (const auto pushed = pipelines.push(commands, *pipeline, buffers, images); !pushed)
-        return tl::unexpected(pushed.error());
-    const VkExtent2D extent = targets.colours[0].extent();
+    const auto pushed = pipelines.push(commands, *pipeline, buffers, images);
+    if (pushed) recordDraw(commands, stream);
+    vkCmdEndRendering(commands);
+    if (!pushed) return tl::unexpected(pushed.error());
+    return {};
+}
+
+void Studio::recordDraw(VkCommandBuffer commands, const Stream& stream) const {
+    const VkExtent2D extent{fixture_.width, fixture_.height};
     const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
                               0.0f, 1.0f};
     const VkRect2D scissor{{0, 0}, extent};
@@ -193,59 +243,23 @@ Result<void> Studio::recordPass(VkCommandBuffer commands, const Targets& targets
     vkCmdBindVertexBuffers2(commands, 0, 1, &vertices, &offset, nullptr, &stride);
     vkCmdBindIndexBuffer(commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
     vkCmdDrawIndexed(commands, indexCount_, 1, 0, 0, 0);
-    return {};
 }
 
 Result<void> Studio::record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
                             std::size_t passes, Shaders shaders, Variation variation) {
     PassPipelines& pipelines = shaders == Shaders::Frozen ? *frozen_ : *specialized_;
     const permgen::Technique& drawn = shaders == Shaders::Frozen ? technique : open_->counterpart(technique);
-    PassTarget target;
-    std::vector<VkRenderingAttachmentInfo> colours;
-    for (const headless::Image& image : targets.colours) {
+    for (const headless::Image& image : targets.colours)
         headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-        target.colours[colours.size()] = image.format();
-        VkRenderingAttachmentInfo& colour = colours.emplace_back();
-        colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-        colour.imageView = image.view();
-        colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-        colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-        colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-        std::copy(fixture_.clear.begin(), fixture_.clear.end(), colour.clearValue.color.float32);
-    }
-    VkRenderingAttachmentInfo depth{};
-    depth.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    if (fixture_.depth) {
+    if (fixture_.depth)
         headless::transition(commands, targets.depth, VK_IMAGE_LAYOUT_UNDEFINED,
                              VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-        target.depth = depthFormat;
-        depth.imageView = targets.depth.view();
-        depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-        depth.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-        depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-        depth.clearValue.depthStencil.depth = 1.0f;
-    }
-    // Stand-ins are made with the pipelines that need them, and filled outside of rendering.
-    for (std::size_t i = 0; i < passes; ++i)
-        if (drawn.passes[i].vertex.module)
-            if (auto made = pipelines.get(drawn.passes[i], target, streams_.at(drawn.passes[i].vertex.module).elements);
-                !made)
-                return tl::unexpected(made.error());
-    pipelines.recordNeutralResources(commands);
-
-    VkRenderingInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.renderArea = {{0, 0}, targets.colours[0].extent()};
-    rendering.layerCount = 1;
-    rendering.colorAttachmentCount = static_cast<std::uint32_t>(colours.size());
-    rendering.pColorAttachments = colours.data();
-    rendering.pDepthAttachment = fixture_.depth ? &depth : nullptr;
-    vkCmdBeginRendering(commands, &rendering);
-    Result<void> done;
-    for (std::size_t i = 0; i < passes && done; ++i)
-        done = recordPass(commands, targets, pipelines, drawn.passes[i], target, variation);
+    beginRendering(commands, targets.colours, fixture_.depth ? &targets.depth : nullptr, VK_ATTACHMENT_LOAD_OP_CLEAR,
+                   fixture_.clear);
     vkCmdEndRendering(commands);
-    return done;
+    for (std::size_t i = 0; i < passes; ++i)
+        if (auto done = recordPass(commands, targets, pipelines, drawn.passes[i], variation); !done) return done;
+    return {};
 }
 
 Outcome<Image> Studio::readTargets(const Targets& targets) const {

@@ -66,7 +66,8 @@ private:
     Result<void> record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
                         std::size_t passes, Shaders shaders, Variation variation);
     Result<void> recordPass(VkCommandBuffer commands, const Targets& targets, PassPipelines& pipelines,
-                            const permgen::Pass& pass, const PassTarget& target, Variation variation);
+                            const permgen::Pass& pass, Variation variation);
+    void recordDraw(VkCommandBuffer commands, const Stream& stream) const;
     Outcome<Image> readTargets(const Targets& targets) const;
 
     const headless::Device& device_;

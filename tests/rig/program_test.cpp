@@ -128,6 +128,44 @@ TEST_F(Program, AnImageFileIsATexture) {
     EXPECT_EQ(picture->at(7, 7, 0), 0.5f);
 }
 
+// Two targets stand one below the other; a pass that writes one of them, or none, leaves the rest alone.
+TEST_F(Program, SeveralTargetsAndPassesThatWriteFewerOfThem) {
+    const std::string two = compileEffect(folder.at("two"), "two", R"(
+        struct Both { float4 a : COLOR0; float4 b : COLOR1; };
+        float4 vs_main(float4 position : POSITION) : POSITION { return position; }
+        Both ps_both() { Both both; both.a = float4(1, 0, 0, 1); both.b = float4(0, 1, 0, 1); return both; }
+        float4 ps_one() : COLOR0 { return float4(0, 0, 1, 0); }
+        technique t {
+            pass both { VertexShader = compile vs_3_0 vs_main(); PixelShader = compile ps_3_0 ps_both(); }
+            pass one { VertexShader = compile vs_3_0 vs_main(); PixelShader = compile ps_3_0 ps_one();
+                       AlphaBlendEnable = TRUE; SrcBlend = ONE; DestBlend = ONE; }
+            pass depth { VertexShader = compile vs_3_0 vs_main(); } })");
+    for (const std::string depth : {"false", "true"}) {
+        const std::string own = folder.at("goldens-" + depth);
+        writeText(fixture, R"({"size": [4, 4], "depth": )" + depth + "}");
+        const Ran made = rig({two, fixture, "--goldens", own, "--update-goldens"});
+        EXPECT_EQ(made.status, 1);
+        const Ran ran = rig({two, fixture, "--goldens", own});
+        EXPECT_EQ(ran.status, 0) << ran.text;
+        const auto picture = rig::readImage(own + "/t.depth.exr");
+        ASSERT_TRUE(picture.has_value()) << picture.error();
+        ASSERT_EQ(picture->height, 8);
+        EXPECT_EQ(std::vector<float>(&picture->values[0], &picture->values[0] + 4), (std::vector<float>{1, 0, 1, 1}));
+        EXPECT_EQ(std::vector<float>(&picture->values[64], &picture->values[64] + 4), (std::vector<float>{0, 1, 0, 1}));
+    }
+}
+
+// Without attributes, without resources, without a fixed number of turns.
+TEST_F(Program, AnEffectThatReadsNothingIsDrawn) {
+    const std::string nothing = compileEffect(folder.at("nothing"), "nothing", R"(
+        float4 vs_main() : POSITION { return float4(0, 0, 0, 1); }
+        float4 ps_main(uniform int n) : COLOR0 { float4 c = 0; for (int i = 0; i < n; i++) c += 0.1; return c; }
+        technique t { pass { VertexShader = compile vs_3_0 vs_main(); PixelShader = compile ps_3_0 ps_main(3); } })");
+    writeText(fixture, "{}");
+    const Ran ran = rig({nothing, fixture});
+    EXPECT_EQ(ran.status, 0) << ran.text;
+}
+
 TEST_F(Program, WrongCommandLinesAreRefused) {
     expectRefused({}, "MANIFEST");
     expectRefused({manifest}, "FIXTURE");
