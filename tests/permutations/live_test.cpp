@@ -37,11 +37,16 @@ TEST_P(LiveTest, ExactlyTheUniformBlockAndTheSamplersItsSwitchesCallFor) {
 // draw() passes null views for everything that the light does not have: were one of them bound, validation
 // would speak up.
 TEST_P(LiveTest, OnlyLiveResourcesAreBound) {
-    const Drawing drawing = draw(shotFor(GetParam(), sideView()));
-    EXPECT_EQ(drawing.counters.descriptorsPushed, 1 + samplersOf(GetParam()).size());
-    EXPECT_EQ(drawing.counters.neutralTexturesCreated, 0u);
-    EXPECT_EQ(drawing.counters.draws, 1u);
-    EXPECT_EQ(drawing.counters.slicesDrawn, 16u);
+    for (const bool article : {false, true}) {
+        SCOPED_TRACE(article);
+        Shot shot = shotFor(GetParam(), sideView());
+        shot.article = article;
+        const Drawing drawing = draw(shot);
+        EXPECT_EQ(drawing.counters.descriptorsPushed, 1 + samplersOf(GetParam()).size());
+        EXPECT_EQ(drawing.counters.neutralTexturesCreated, 0u);
+        EXPECT_EQ(drawing.counters.draws, 1u);
+        EXPECT_EQ(drawing.counters.slicesDrawn, 16u);
+    }
 }
 
 TEST_P(LiveTest, ItsPipelineIsMadeOnce) {
