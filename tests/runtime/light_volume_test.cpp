@@ -43,6 +43,7 @@ TEST(ConvexPolyhedron, KeepsEulersFormula) {
 TEST(ConvexPolyhedron, GivesWayOnlyToPlanesThatLeaveSomething) {
     ConvexPolyhedron solid = cube();
     EXPECT_FALSE(cut(solid, {1.0, 0.0, 0.0, -1.0}, 1e-9)) << "touches";
+    EXPECT_FALSE(cut(solid, {1.0, 0.0, 0.0, -1.0 + 1e-10}, 1e-9)) << "touches, but for rounding";
     EXPECT_FALSE(cut(solid, {1.0, 0.0, 0.0, -2.0}, 1e-9)) << "misses";
     EXPECT_EQ(solid.vertices.size(), 8u);
     EXPECT_TRUE(cut(solid, {1.0, 0.0, 0.0, 2.0}, 1e-9)) << "holds all of it";
@@ -158,6 +159,26 @@ TEST(LightVolume, SaysWhatHidesIt) {
             EXPECT_EQ(volume.farDepth, 0.0) << c.name;
         }
     }
+}
+
+// The solid is cut by the same planes, but where a cut's rounding lands is not for the slabs to say.
+TEST(LightVolume, KeepsExactlyToTheViewsDepths) {
+    Random random(3);
+    View view = perspectiveView(glm::dmat4(1.0), 60.0 * degrees, 1.5, 0.3, 7.3);
+    int cutNear = 0, cutFar = 0, cutByScene = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        Light light = projector();
+        light.worldFromLight = rigidMotion(random, 6.0);
+        view.sceneDepth = trial % 2 ? 1.0e300 : 5.1;
+        const LightVolume volume = volumeOf(light, view);
+        if (volume.hidden != Hidden::No) continue;
+        EXPECT_GE(volume.nearDepth, view.nearPlane);
+        EXPECT_LE(volume.farDepth, std::min(view.farPlane, view.sceneDepth));
+        cutNear += volume.nearDepth == view.nearPlane;
+        cutFar += volume.farDepth == view.farPlane;
+        cutByScene += volume.farDepth == view.sceneDepth;
+    }
+    EXPECT_GT(std::min({cutNear, cutFar, cutByScene}), 20);
 }
 
 // Whatever the planner leaves out must not hold a single visible point.

@@ -171,15 +171,29 @@ TEST_F(Record, MakesAPipelineOnce) {
 }
 
 TEST_F(Record, AddsOneLightToTheOther) {
+    // Each with a place, a colour and a slide of its own.
     Stage stage;
-    const std::array lights{lamp(), lamp()};
-    const std::vector<Rgba> once =
-        accumulated(stage, planFor(std::span(lights).first(1), stage), {LightTextures{}, LightTextures{}});
-    const std::vector<Rgba> twice = accumulated(stage, planFor(lights, stage), {LightTextures{}, LightTextures{}});
-    for (std::size_t i = 0; i < once.size(); ++i)
-        for (int c = 0; c < 4; ++c)
+    const Slides slides;
+    std::array lights{lamp(), lamp()};
+    lights[0].cookie = lights[1].cookie = true;
+    lights[1].worldFromLight[3] += glm::dvec4(0.3, -0.25, 0.4, 0.0);
+    lights[1].colour = {0.5, 1.0, 0.25};
+    std::vector<LightTextures> textures(2);
+    textures[0].cookie = slides.cookie.view();
+    textures[1].cookie = slides.noise.view();
+    const std::vector<Rgba> first = accumulated(stage, planFor(std::span(lights).first(1), stage), {textures[0]});
+    const std::vector<Rgba> second = accumulated(stage, planFor(std::span(lights).last(1), stage), {textures[1]});
+    const std::vector<Rgba> both = accumulated(stage, planFor(lights, stage), textures);
+    std::size_t together = 0;
+    for (std::size_t i = 0; i < both.size(); ++i) {
+        together += first[i][0] > 0.0f && second[i][0] > 0.0f;
+        for (int c = 0; c < 4; ++c) {
             // 32 additions in binary32: 32 half ulps of the sum, 2^-24 each.
-            EXPECT_NEAR(twice[i][c], 2.0f * once[i][c], 2.0f * once[i][c] * 32.0f * 0x1p-24f) << i;
+            const float sum = first[i][c] + second[i][c];
+            EXPECT_NEAR(both[i][c], sum, sum * 32.0f * 0x1p-24f) << i;
+        }
+    }
+    EXPECT_GT(together, 50u);
 }
 
 TEST_F(Record, RoutedSumEqualsTheFloatOne) {

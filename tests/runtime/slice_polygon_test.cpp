@@ -66,6 +66,9 @@ TEST(SlicePolygon, IsEmptyWhereNothingIsLeft) {
     EXPECT_EQ(cutBy({{0.0, 0.0, 1.0, 4.0}}).count, 0u) << "parallel, the slice on the wrong side";
     EXPECT_EQ(cutBy({{1.0, 0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0, 0.0}}).count, 0u) << "a line";
     EXPECT_EQ(cutBy({{1.0, 0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0, 1e-17}}).count, 0u) << "a sliver";
+    // A speck whose corners stand apart, but whose area is below 1e-16 of the square of 5 m across.
+    EXPECT_EQ(cutBy({{1.0, 1.0, 0.0, -4.0 + 1e-8}}).count, 0u) << "a corner of a hundredth of a micrometre";
+    EXPECT_EQ(cutBy({{1.0, 1.0, 0.0, -4.0 + 1e-6}}).count, 3u) << "a corner of a micrometre";
 }
 
 TEST(SlicePolygon, KeepsAllOfAParallelPlanesRightSide) {
@@ -77,6 +80,18 @@ TEST(SlicePolygon, MakesOneCornerWhereThreeLinesMeet) {
     const SlicePolygon polygon = cutBy({{1.0, 1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}, {2.0, 1.0, 0.0, 0.0}});
     for (std::size_t i = 0; i < polygon.count; ++i)
         EXPECT_GT(glm::distance(polygon.corners[i], polygon.corners[(i + 1) % polygon.count]), 1e-9);
+}
+
+TEST(SlicePolygon, MakesOneCornerOfTwoWhereverCountingBegins) {
+    // Each cuts a corner of the rectangle off by less than rounding: two corners in its place, next to each other,
+    // the first and the last ones included.
+    for (const glm::dvec2 corner : {low, glm::dvec2(high.x, low.y), high, glm::dvec2(low.x, high.y)}) {
+        const glm::dvec2 inward = glm::sign(0.5 * (low + high) - corner);
+        const double offset = -glm::dot(inward, corner) - 1e-13;
+        const SlicePolygon polygon = cutBy({{inward.x, inward.y, 0.0, offset}});
+        EXPECT_EQ(polygon.count, 4u) << corner.x << ", " << corner.y;
+        EXPECT_NEAR(area(polygon), 12.0, 1e-12);
+    }
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 //   auto calm = pipelines->get(technique->passes[0], {.colours = {format}}, vertexElements);
 //   pipelines->recordNeutralResources(commands);                // outside of rendering
 //   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, calm->handle);
-//   pipelines->push(commands, *calm, {{{"Globals", constants}}}, {{{"RippleSampler", view, layout}}});
+//   const std::array buffers{NamedBuffer{"Globals", constants}};
+//   const std::array images{NamedImage{"RippleSampler", view, layout}};
+//   pipelines->push(commands, *calm, buffers, images);
 //
 // Viewport, scissor and the stride of vertices (vkCmdBindVertexBuffers2) are dynamic state. Not thread-safe.
 #pragma once
