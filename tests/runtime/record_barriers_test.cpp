@@ -1,0 +1,145 @@
+// What record() waits for. lavapipe runs everything in order and the validation layers of Vulkan 1.3.239 do not
+// follow dynamic rendering, so that neither hears a barrier that is missing: here the commands are listened to as
+// the runtime records them. A program of its own, because it takes the place of two of Vulkan's functions.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "record_scene.h"
+
+namespace tyndall::test {
+namespace {
+
+/// A barrier, or the beginning of a pass.
+struct Event {
+    bool pass = false;
+    VkImageView target = VK_NULL_HANDLE;  ///< of a pass
+    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+    VkImage image = VK_NULL_HANDLE;  ///< of a barrier; null: of all memory
+    VkPipelineStageFlags2 before = 0, after = 0;
+    VkAccessFlags2 written = 0, visible = 0;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+};
+
+std::vector<Event> events;
+
+template <class Function>
+Function deviceFunction(const char* name) {
+    return reinterpret_cast<Function>(vkGetDeviceProcAddr(gpu().device.device(), name));
+}
+
+}  // namespace
+
+extern "C" VKAPI_ATTR void VKAPI_CALL vkCmdPipelineBarrier2(VkCommandBuffer commands, const VkDependencyInfo* info) {
+    for (std::uint32_t i = 0; i < info->memoryBarrierCount; ++i) {
+        const VkMemoryBarrier2& barrier = info->pMemoryBarriers[i];
+        events.push_back({.before = barrier.srcStageMask,
+                          .after = barrier.dstStageMask,
+                          .written = barrier.srcAccessMask,
+                          .visible = barrier.dstAccessMask});
+    }
+    for (std::uint32_t i = 0; i < info->imageMemoryBarrierCount; ++i) {
+        const VkImageMemoryBarrier2& barrier = info->pImageMemoryBarriers[i];
+        events.push_back({.image = barrier.image,
+                          .before = barrier.srcStageMask,
+                          .after = barrier.dstStageMask,
+                          .written = barrier.srcAccessMask,
+                          .visible = barrier.dstAccessMask,
+                          .layout = barrier.newLayout});
+    }
+    deviceFunction<PFN_vkCmdPipelineBarrier2>("vkCmdPipelineBarrier2")(commands, info);
+}
+
+extern "C" VKAPI_ATTR void VKAPI_CALL vkCmdBeginRendering(VkCommandBuffer commands, const VkRenderingInfo* info) {
+    if (info->colorAttachmentCount > 0)
+        events.push_back(
+            {.pass = true, .target = info->pColorAttachments[0].imageView, .load = info->pColorAttachments[0].loadOp});
+    deviceFunction<PFN_vkCmdBeginRendering>("vkCmdBeginRendering")(commands, info);
+}
+
+namespace {
+
+constexpr VkPipelineStageFlags2 kOutput = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+constexpr VkPipelineStageFlags2 kFragment = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+constexpr VkAccessFlags2 kWrite = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+constexpr VkAccessFlags2 kBlend = VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | kWrite;
+
+template <class Flags>
+bool holds(Flags all, Flags wanted) {
+    return (all & wanted) == wanted;
+}
+
+/// True where a barrier on the image (or on all memory, where that is null) among events[from, to) is at least
+/// `wanted`.
+bool waits(std::size_t from, std::size_t to, const Event& wanted) {
+    for (std::size_t i = from; i < to; ++i) {
+        const Event& event = events[i];
+        if (!event.pass && event.image == wanted.image && holds(event.before, wanted.before) &&
+            holds(event.after, wanted.after) && holds(event.written, wanted.written) &&
+            holds(event.visible, wanted.visible) && event.layout == wanted.layout)
+            return true;
+    }
+    return false;
+}
+
+using RecordBarriers = GpuTest;
+
+TEST_F(RecordBarriers, EveryPassWaitsForWhatItReadsOrAddsTo) {
+    Stage stage({48, 32}, Accumulation::Rgba8Routed);
+    std::array lights{lamp(), lamp(), lamp()};
+    lights[0].colour = {1.0, 0.0, 0.0};
+    lights[1].colour = {0.0, 0.5, 1.0};
+    PlanOptions options;
+    options.slices = 8;
+    options.accumulation = Accumulation::Rgba8Routed;
+    const Plan plan = must(tyndall::plan(lights, eye(stage), options));
+    ASSERT_EQ(plan.groups.size(), 3u);
+    const std::array<LightTextures, 3> textures{};
+    FrameData frame;
+    must(gpu().frozen.upload(frame, plan));
+    const ShaftTargets targets = stage.targets();
+    events.clear();
+    run([&](VkCommandBuffer commands) {
+        events.clear();  // what the caller recorded before is his own
+        return gpu().frozen.record(commands, frame, plan, textures, targets);
+    });
+
+    std::vector<std::size_t> passes;
+    for (std::size_t i = 0; i < events.size(); ++i)
+        if (events[i].pass) passes.push_back(i);
+    ASSERT_EQ(passes.size(), 6u);
+    std::size_t previous = 0;
+    for (std::size_t p = 0; p < passes.size(); ++p) {
+        SCOPED_TRACE("pass " + std::to_string(p));
+        const Event& pass = events[passes[p]];
+        if (p % 2 == 0) {
+            // Clears what the composite before it may still read, and an earlier frame's slices may still write.
+            EXPECT_EQ(pass.target, targets.accumulationView);
+            EXPECT_EQ(pass.load, VK_ATTACHMENT_LOAD_OP_CLEAR);
+            EXPECT_TRUE(waits(previous, passes[p],
+                              {.image = targets.accumulation,
+                               .before = kOutput | kFragment,
+                               .after = kOutput,
+                               .written = kWrite,
+                               .visible = kBlend,
+                               .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL}));
+        } else {
+            // Reads the sum, and adds to the picture that the scene or the composite before it wrote.
+            EXPECT_EQ(pass.target, targets.colour);
+            EXPECT_EQ(pass.load, VK_ATTACHMENT_LOAD_OP_LOAD);
+            EXPECT_TRUE(waits(previous, passes[p],
+                              {.image = targets.accumulation,
+                               .before = kOutput,
+                               .after = kFragment,
+                               .written = kWrite,
+                               .visible = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+                               .layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}));
+            EXPECT_TRUE(waits(previous, passes[p],
+                              {.before = kOutput, .after = kOutput, .written = kWrite, .visible = kBlend}));
+        }
+        previous = passes[p];
+    }
+}
+
+}  // namespace
+}  // namespace tyndall::test
