@@ -1,6 +1,7 @@
-// What record() waits for. lavapipe runs everything in order and the validation layers of Vulkan 1.3.239 do not
-// follow dynamic rendering, so that neither hears a barrier that is missing: here the commands are listened to as
-// the runtime records them. A program of its own, because it takes the place of two of Vulkan's functions.
+// What the renderer asks of Vulkan, listened to call by call. lavapipe runs everything in order and the validation
+// layers of Vulkan 1.3.239 do not follow dynamic rendering, so that neither hears a barrier that is missing; and
+// memory allocated once too often does no harm but to the frame's time. A program of its own, because it takes the
+// place of three of Vulkan's functions.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -22,10 +23,11 @@ struct Event {
 };
 
 std::vector<Event> events;
+int allocations = 0;
 
 template <class Function>
-Function deviceFunction(const char* name) {
-    return reinterpret_cast<Function>(vkGetDeviceProcAddr(gpu().device.device(), name));
+Function deviceFunction(VkDevice device, const char* name) {
+    return reinterpret_cast<Function>(vkGetDeviceProcAddr(device, name));
 }
 
 }  // namespace
@@ -47,14 +49,21 @@ extern "C" VKAPI_ATTR void VKAPI_CALL vkCmdPipelineBarrier2(VkCommandBuffer comm
                           .visible = barrier.dstAccessMask,
                           .layout = barrier.newLayout});
     }
-    deviceFunction<PFN_vkCmdPipelineBarrier2>("vkCmdPipelineBarrier2")(commands, info);
+    deviceFunction<PFN_vkCmdPipelineBarrier2>(gpu().device.device(), "vkCmdPipelineBarrier2")(commands, info);
 }
 
 extern "C" VKAPI_ATTR void VKAPI_CALL vkCmdBeginRendering(VkCommandBuffer commands, const VkRenderingInfo* info) {
     if (info->colorAttachmentCount > 0)
         events.push_back(
             {.pass = true, .target = info->pColorAttachments[0].imageView, .load = info->pColorAttachments[0].loadOp});
-    deviceFunction<PFN_vkCmdBeginRendering>("vkCmdBeginRendering")(commands, info);
+    deviceFunction<PFN_vkCmdBeginRendering>(gpu().device.device(), "vkCmdBeginRendering")(commands, info);
+}
+
+extern "C" VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
+                                                           const VkAllocationCallbacks* callbacks,
+                                                           VkDeviceMemory* memory) {
+    ++allocations;
+    return deviceFunction<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, info, callbacks, memory);
 }
 
 namespace {
@@ -82,9 +91,9 @@ bool waits(std::size_t from, std::size_t to, const Event& wanted) {
     return false;
 }
 
-using RecordBarriers = GpuTest;
+using RecordCalls = GpuTest;
 
-TEST_F(RecordBarriers, EveryPassWaitsForWhatItReadsOrAddsTo) {
+TEST_F(RecordCalls, EveryPassWaitsForWhatItReadsOrAddsTo) {
     Stage stage({48, 32}, Accumulation::Rgba8Routed);
     std::array lights{lamp(), lamp(), lamp()};
     lights[0].colour = {1.0, 0.0, 0.0};
@@ -139,6 +148,23 @@ TEST_F(RecordBarriers, EveryPassWaitsForWhatItReadsOrAddsTo) {
         }
         previous = passes[p];
     }
+}
+
+TEST_F(RecordCalls, AFrameThatHasTheRoomAllocatesNothing) {
+    Stage stage;
+    const Light light = lamp();
+    const auto planOf = [&](int slices) {
+        PlanOptions options;
+        options.slices = slices;
+        return must(plan(std::span(&light, 1), eye(stage), options));
+    };
+    const Plan small = planOf(8), large = planOf(4000);
+    FrameData frame;
+    allocations = 0;
+    must(gpu().frozen.upload(frame, large));
+    EXPECT_EQ(allocations, 1);
+    for (const Plan* next : {&small, &large, &small}) must(gpu().frozen.upload(frame, *next));
+    EXPECT_EQ(allocations, 1);
 }
 
 }  // namespace
