@@ -1,7 +1,9 @@
 // The published geometry: unit-cube quads, stretched over the bounds and cut by clip distances.
 #include <gtest/gtest.h>
 
+#include "light_volume.h"
 #include "plan_scenes.h"
+#include "view_pose.h"
 
 namespace tyndall {
 namespace {
@@ -69,6 +71,21 @@ TEST(Quads, LieAtTheDepthsOfThePolygonsAndAroundThem) {
                 EXPECT_LE(corner.x, constants.boundsMax.x);
                 EXPECT_LE(corner.y, constants.boundsMax.y);
             }
+        }
+    }
+}
+
+// The volume's outermost corner lies between two slices: held by the bounds as rounded to float all the same.
+TEST(Quads, HoldTheWholeVolumeAfterRounding) {
+    Random random(5);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Scene scene = randomScene(random);
+        const SliceConstants constants = planned({scene.light}, scene.view, quads(16)).lights[0].constants;
+        const LightVolume volume =
+            lightVolume(scene.light, scene.view, lightPose(scene.light.worldFromLight, scene.view.worldFromView));
+        for (int axis = 0; axis < 2; ++axis) {
+            EXPECT_LE(static_cast<double>(constants.boundsMin[axis]), volume.boundsMin[axis]);
+            EXPECT_GE(static_cast<double>(constants.boundsMax[axis]), volume.boundsMax[axis]);
         }
     }
 }
