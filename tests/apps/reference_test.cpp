@@ -1,9 +1,11 @@
 // `tyndall reference`: scenes whose shafts have a closed form, in both modes, and what the command leaves behind.
 #include <gtest/gtest.h>
 #include <tyndall/command/commands.h>
+#include <tyndall/reference/reference_scene.h>
 
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <glm/gtc/packing.hpp>
@@ -180,6 +182,28 @@ TEST_P(Modes, TimeMovesTheScene) {
 
 INSTANTIATE_TEST_SUITE_P(Reference, Modes, testing::Values("ideal", "hardware"),
                          [](const auto& test) { return std::string(test.param); });
+
+TEST(Reference, TheHardwareModeHoldsWhatTheRendererDrewAndDrawsItWithoutAMessage) {
+    for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"})
+        setenv(name, "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json", 1);
+    app::ViewOptions options;
+    options.scene = writeScene(openScene("static"));
+    options.size = {side, side};
+    const auto device = headless::Device::create({.validation = true});
+    ASSERT_TRUE(device) << device.error().message;
+    const auto viewed = app::viewScene(options);
+    ASSERT_TRUE(viewed) << viewed.error();
+    const auto scene = app::hardwareScene(*device, *viewed, options, 32);
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_EQ(device->messages(), std::vector<std::string>{});
+    // Reversed depth of a wall 5 m away: from a near plane at 0.1 m to infinity 0.1 / 5; from the lamp's planes at
+    // n = 1 and f = 10 m (n f / 5 - n) / (f - n). Both are rounded to floats by the rasterizer's interpolation.
+    ASSERT_EQ(scene->depth.texels.size(), static_cast<std::size_t>(side * side));
+    for (const float stored : scene->depth.texels) EXPECT_NEAR(stored, 0.1 / 5.0, 1e-8);
+    ASSERT_EQ(scene->lights[0].shadowMap.texels.size(), 32u * 32u);
+    for (const float stored : scene->lights[0].shadowMap.texels) EXPECT_NEAR(stored, (10.0 / 5.0 - 1.0) / 9.0, 1e-7);
+    EXPECT_TRUE(scene->triangles.empty());
+}
 
 TEST(Reference, RenderingConvergesToTheHardwareMode) {
     Glb glb = openScene("static");
