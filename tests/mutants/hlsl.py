@@ -25,29 +25,30 @@ LIKELY = {
 ALL = [("permutation", "-*GoldenTest*"), ("record", "*")]
 
 
-def compile_effects(mutant: Mutant, permgen: Path, folder: Path) -> Path:
-    """The manifests of the effects that the fault reaches; raises BadMutant where one does not compile."""
+def compile_effects(mutant: Mutant | None, permgen: Path, folder: Path) -> Path:
+    """The manifests of the effects that the fault reaches, or of all; raises BadMutant where one does not compile."""
     shaders = folder / "shaders"
     shutil.copytree(ROOT / "shaders", shaders)
-    patched = folder / mutant.file
-    patched.write_text(mutant.applied(patched.read_text()))
+    if mutant:
+        patched = folder / mutant.file
+        patched.write_text(mutant.applied(patched.read_text()))
     out = folder / "effects"
     for effect in EFFECTS:
         source = shaders / f"{effect}.fx"
-        if source != patched and patched.name not in source.read_text():
+        if mutant and source != patched and patched.name not in source.read_text():
             continue
         done = subprocess.run([permgen, "compile", "--freeze", source, "-o", out], capture_output=True, text=True)
         if done.returncode != 0:
-            raise BadMutant(f"{mutant.id}: does not compile: {done.stderr.strip()}")
+            raise BadMutant(f"{mutant.id if mutant else 'without a fault'}: does not compile: {done.stderr.strip()}")
     return out
 
 
-def killer(mutant: Mutant, permgen: Path, tests: dict[str, Path]) -> str | None:
-    """The first test that fails with the fault in, or None."""
+def killer(mutant: Mutant | None, batches: list, permgen: Path, tests: dict[str, Path]) -> str | None:
+    """The first test of the batches that fails with the fault in, or None."""
     with tempfile.TemporaryDirectory(prefix="tyndall_mutant_") as folder:
         effects = compile_effects(mutant, permgen, Path(folder))
         environment = os.environ | {"TYNDALL_EFFECTS": str(effects), "TYNDALL_REPORT": f"{folder}/report"}
-        for program, filter in LIKELY[mutant.file] + ALL:
+        for program, filter in batches:
             command = [tests[program], f"--gtest_filter={filter}", "--gtest_fail_fast", "--gtest_brief=1"]
             try:
                 done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=SECONDS)
@@ -66,10 +67,13 @@ def run(mutants: list[Mutant], build: Path) -> tuple[dict[str, str], list[Mutant
     for program in (permgen, *tests.values()):
         if not program.is_file():
             raise BadMutant(f"there is no {program}; build it first, or give --build")
+    likely = sorted({batch for batches in LIKELY.values() for batch in batches})
+    if by := killer(None, likely, permgen, tests):
+        raise BadMutant(f"{by} fails without a fault; mend that first")
     killed, survivors = {}, []
     for mutant in mutants:
         start = time.monotonic()
-        by = killer(mutant, permgen, tests)
+        by = killer(mutant, LIKELY[mutant.file] + ALL, permgen, tests)
         if by is None:
             survivors.append(mutant)
         else:
