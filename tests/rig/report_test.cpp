@@ -1,10 +1,17 @@
 // What a failure leaves behind, and what a pass takes away.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <rig/report.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "folder.h"
 
@@ -159,34 +166,33 @@ TEST(Report, AFolderThatCannotBeWrittenIsNamed) {
     EXPECT_NE(reported.error().find(folder.at("report")), std::string::npos) << reported.error();
 }
 
-// What each of the processes below does: reports `each` failures and takes the first back.
-constexpr int each = 5;
-TEST(ReportWorker, DISABLED_Reports) {
-    const std::string folder = std::getenv("REPORT_FOLDER"), name = std::getenv("REPORT_NAME");
-    const Image image = grey(0.5f);
-    for (int i = 0; i < each; ++i) {
-        const Failure failure = failureOf(name + std::to_string(i));
-        ASSERT_TRUE(reportFailure(folder, failure, &image, &image).has_value());
-        if (i == 0) {
-            ASSERT_TRUE(reportPass(folder, failure.subject).has_value());
-        }
-    }
-}
-
 // ctest runs many test processes at once. Whoever reports last has written a page that shows everybody's.
 TEST(Report, ProcessesThatReportAtOnceLoseNothing) {
     const Folder folder;
-    constexpr int processes = 4;
+    constexpr int processes = 4, each = 5;  // of which each takes its first back
     std::string command;
     for (int p = 0; p < processes; ++p)
-        command += "REPORT_FOLDER='" + folder.path() + "' REPORT_NAME=t" + std::to_string(p) + "_ '" +
-                   std::filesystem::read_symlink("/proc/self/exe").string() +
-                   "' --gtest_also_run_disabled_tests --gtest_filter=ReportWorker.* >/dev/null 2>&1 & P" +
-                   std::to_string(p) + "=$!; ";
+        command += shellCommand({REPORT_WORKER, folder.path(), "t" + std::to_string(p) + "_", std::to_string(each)}) +
+                   " & P" + std::to_string(p) + "=$!; ";
     for (int p = 0; p < processes; ++p) command += (p ? " && wait $P" : "wait $P") + std::to_string(p);
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_EQ(count(test::readText(folder.at("index.html")), "<article "), std::size_t(processes * (each - 1)));
     EXPECT_EQ(test::listing(folder.path()).find(".partial"), std::string::npos);
+}
+
+// An entry written between another process's look at the entries and its page would be missing from that page.
+TEST(Report, WaitsForWhoeverHoldsTheFolder) {
+    const Folder folder;
+    std::filesystem::create_directory(folder.at("entries"));
+    const int lock = open(folder.at(".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    ASSERT_EQ(flock(lock, LOCK_EX), 0);
+    FILE* worker = popen(shellCommand({REPORT_WORKER, folder.path(), "t", "2"}).c_str(), "r");
+    ASSERT_NE(worker, nullptr);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    EXPECT_EQ(test::listing(folder.path()), ".lock\n");
+    close(lock);
+    EXPECT_EQ(pclose(worker), 0);
+    EXPECT_EQ(count(test::readText(folder.at("index.html")), "<article "), 1u);
 }
 
 TEST(Report, CommandsAreQuotedForTheShell) {
