@@ -158,15 +158,12 @@ Outcome<void> Studio::makeGeometry() {
 }
 
 Outcome<void> Studio::makePipelines() {
-    open_ = std::make_unique<OpenEffect>(effect_, [&](const permgen::Resource& resource) {
-        return blocks_.contains(resource.name) || textures_.contains(resource.name);
-    });
     DeviceContext context{device_.physicalDevice(), device_.device(), VK_NULL_HANDLE, Shaders::Frozen};
     auto frozen = PassPipelines::create(context, effect_);
     if (!frozen) return tl::unexpected(frozen.error().message);
     frozen_ = std::make_unique<PassPipelines>(std::move(*frozen));
     context.shaders = Shaders::Specialized;
-    auto specialized = PassPipelines::create(context, open_->tables());
+    auto specialized = PassPipelines::create(context, effect_);
     if (!specialized) return tl::unexpected(specialized.error().message);
     specialized_ = std::make_unique<PassPipelines>(std::move(*specialized));
     return {};
@@ -248,7 +245,6 @@ void Studio::recordDraw(VkCommandBuffer commands, const Stream& stream) const {
 Result<void> Studio::record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
                             std::size_t passes, Shaders shaders, Variation variation) {
     PassPipelines& pipelines = shaders == Shaders::Frozen ? *frozen_ : *specialized_;
-    const permgen::Technique& drawn = shaders == Shaders::Frozen ? technique : open_->counterpart(technique);
     for (const headless::Image& image : targets.colours)
         headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     if (fixture_.depth)
@@ -258,7 +254,7 @@ Result<void> Studio::record(VkCommandBuffer commands, const Targets& targets, co
                    fixture_.clear);
     vkCmdEndRendering(commands);
     for (std::size_t i = 0; i < passes; ++i)
-        if (auto done = recordPass(commands, targets, pipelines, drawn.passes[i], variation); !done) return done;
+        if (auto done = recordPass(commands, targets, pipelines, technique.passes[i], variation); !done) return done;
     return {};
 }
 

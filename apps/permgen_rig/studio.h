@@ -16,7 +16,6 @@
 #include "constants.h"
 #include "fixture.h"
 #include "geometry.h"
-#include "open_effect.h"
 #include "textures.h"
 
 namespace tyndall::rig {
@@ -79,7 +78,6 @@ private:
     headless::Buffer indices_;
     std::uint32_t indexCount_ = 0;
     std::map<const permgen::Module*, Stream> streams_;
-    std::unique_ptr<OpenEffect> open_;
     std::unique_ptr<PassPipelines> frozen_, specialized_;
 };
 
