@@ -134,12 +134,12 @@ std::string figuresTable(const Json& figures) {
     };
     if (figures.contains("largest_difference"))
         row("largest difference",
-            number(figures["largest_difference"]) + " at " + place(figures["largest_difference_at"]));
-    if (figures.contains("relative_l2")) row("relative L2", number(figures["relative_l2"]));
-    if (figures.contains("differing_values")) row("values that differ", figures["differing_values"].dump());
+            number(figures.at("largest_difference")) + " at " + place(figures.at("largest_difference_at")));
+    if (figures.contains("relative_l2")) row("relative L2", number(figures.at("relative_l2")));
+    if (figures.contains("differing_values")) row("values that differ", figures.at("differing_values").dump());
     if (figures.contains("nan")) {
-        std::string bad = figures["nan"].dump() + " NaN, " + figures["infinite"].dump() + " infinite";
-        if (figures.contains("first_not_finite")) bad += ", the first at " + place(figures["first_not_finite"]);
+        std::string bad = figures.at("nan").dump() + " NaN, " + figures.at("infinite").dump() + " infinite";
+        if (figures.contains("first_not_finite")) bad += ", the first at " + place(figures.at("first_not_finite"));
         row("not finite", bad);
     }
     return rows.empty() ? rows : "<dl>" + rows + "</dl>\n";
@@ -153,21 +153,21 @@ std::string article(const Entry& entry) {
     std::string html = fmt::format(
         "<article id=\"{}\">\n<h2>{}</h2>\n<p class=\"where\">{}</p>\n<p class=\"reason\">{}</p>\n", escaped(entry.key),
         escaped(text(json, "technique")), escaped(where), escaped(text(json, "reason")));
-    if (json.contains("constants") && !json["constants"].empty()) {
+    if (json.contains("constants") && !json.at("constants").empty()) {
         html += "<p class=\"chips\">";
-        for (const auto& [name, value] : json["constants"].items())
+        for (const auto& [name, value] : json.at("constants").items())
             html += fmt::format("<code>{} = {}</code>", escaped(name),
                                 escaped(value.is_string() ? value.get<std::string>() : value.dump()));
         html += "</p>\n";
     }
-    if (json.contains("pictures") && !json["pictures"].empty()) {
-        const std::string white = json.contains("white") ? fmt::format("white is {}", number(json["white"])) : "";
+    if (json.contains("pictures") && !json.at("pictures").empty()) {
+        const std::string white = json.contains("white") ? fmt::format("white is {}", number(json.at("white"))) : "";
         html += "<div class=\"pictures\">\n" + figure(entry, "image", "drawn; " + white, "nothing was drawn") +
                 figure(entry, "expected", "expected; " + white, "no image to hold it against") +
                 figure(entry, "difference", "difference, black where there is none", "no difference to show") +
                 "</div>\n";
     }
-    if (json.contains("figures")) html += figuresTable(json["figures"]);
+    if (json.contains("figures")) html += figuresTable(json.at("figures"));
     if (!text(json, "command").empty()) html += "<pre>" + escaped(text(json, "command")) + "</pre>\n";
     return html + "</article>\n";
 }
