@@ -19,13 +19,31 @@ Outcome<Size> parseSize(const std::string& text) {
     return size;
 }
 
+namespace {
+
+constexpr int everyTerm = 7;
+
+Terms termsOf(int bits) {
+    return {(bits & 4) != 0, (bits & 2) != 0, (bits & 1) != 0};
+}
+
+std::string_view nameOf(const Terms& terms) {
+    return techniqueName(terms.noise, terms.shadow, terms.cookie);
+}
+
+}  // namespace
+
+std::optional<Terms> termsOf(const std::string& technique) {
+    for (int bits = everyTerm; bits >= 0; --bits)
+        if (technique == nameOf(termsOf(bits))) return termsOf(bits);
+    return std::nullopt;
+}
+
 Outcome<void> checkTechnique(const std::string& name) {
+    if (termsOf(name)) return {};
     std::string names;
-    for (int bits = 7; bits >= 0; --bits) {
-        const std::string_view known = techniqueName((bits & 4) != 0, (bits & 2) != 0, (bits & 1) != 0);
-        if (name == known) return {};
-        names += (names.empty() ? "" : ", ") + std::string(known);
-    }
+    for (int bits = everyTerm; bits >= 0; --bits)
+        names += (names.empty() ? "" : ", ") + std::string(nameOf(termsOf(bits)));
     return fail("--technique: slices.fx has no \"{}\"; it has {}", name, names);
 }
 

@@ -62,6 +62,7 @@ struct ReferenceOptions {
     ViewOptions view;  ///< its layer is not looked at: a reference is of the shafts alone
     std::string output;
     study::Mode mode = study::Mode::Ideal;
+    std::optional<std::string> technique;  ///< absent: each light's own terms
     double accuracy = 1e-8;
     unsigned threads = 0;
     std::uint32_t shadowSize = 1024;  ///< hardware mode
@@ -85,6 +86,14 @@ struct CompareOptions {
 
 /// "640x360". Errors: anything else, a side of 0 or over longestSide.
 Outcome<Size> parseSize(const std::string& text);
+
+/// What a technique of slices.fx multiplies the light by.
+struct Terms {
+    bool noise = false, shadow = false, cookie = false;
+};
+
+/// Absent for what is no name of slices.fx.
+std::optional<Terms> termsOf(const std::string& technique);
 
 /// A name of slices.fx. Errors: another one; the message lists all.
 Outcome<void> checkTechnique(const std::string& name);

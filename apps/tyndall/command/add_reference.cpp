@@ -14,6 +14,8 @@ void addReference(CLI::App& app, ReferenceOptions& options, std::string& size) {
         ->type_name("IMAGE.exr");
     addChoice(app, "--mode", options.mode, modeWords,
               "shadows and surfaces of the triangles themselves, or the renderer's own shadow maps and depth");
+    addOptional(app, "--technique", options.technique, "NAME",
+                "leave out of every light what this technique of slices.fx leaves out");
     app.add_option("--accuracy", options.accuracy, "relative error of each pixel, 1e-12 to 1; 1e-8")->type_name("E");
     app.add_option("--threads", options.threads, "0: one for each processor")->type_name("N");
     addShadowSize(app, options.shadowSize);
@@ -28,6 +30,8 @@ Outcome<void> checkReference(const ReferenceOptions& options) {
         return fail("--accuracy: {} is out of bounds; take from 1e-12 to 1", options.accuracy);
     if (options.threads > mostThreads)
         return fail("--threads: {} is out of bounds; take from 0 to {}", options.threads, mostThreads);
+    if (options.technique)
+        if (auto checked = checkTechnique(*options.technique); !checked) return checked;
     return checkShadowSize(options.shadowSize);
 }
 

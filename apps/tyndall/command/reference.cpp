@@ -40,8 +40,9 @@ Outcome<Said> reference(const ReferenceOptions& options, const Progress& progres
         return tl::unexpected(checked.error());
     ReferenceRun run;
     auto start = std::chrono::steady_clock::now();
-    const auto viewed = viewScene(options.view);
+    auto viewed = viewScene(options.view);
     if (!viewed) return tl::unexpected(viewed.error());
+    if (options.technique) leaveOut(viewed->lights, *termsOf(*options.technique));
     const auto scene = sceneFor(options, *viewed, run);
     if (!scene) return tl::unexpected(scene.error());
     if (!progress(0.0)) return fail("{}", interrupted);

@@ -1,0 +1,93 @@
+// The sample scene, as rendered with every technique, against the hardware reference: nothing but the number of
+// slices stands between them.
+#include <gtest/gtest.h>
+#include <headless/device.h>
+#include <study/metrics.h>
+#include <tyndall/command/plan_scene.h>
+#include <tyndall/reference/reference_scene.h>
+#include <tyndall/render/render_scene.h>
+
+#include <cmath>
+
+namespace tyndall::test {
+namespace {
+
+using namespace tyndall::app;
+
+constexpr int width = 64, height = 36;
+
+ViewOptions sampleView() {
+    ViewOptions view;
+    view.scene = TYNDALL_SCENES "/window.glb";
+    view.size = {width, height};
+    view.layer = Layer::Shafts;
+    return view;
+}
+
+template <class T>
+T must(Outcome<T> outcome) {
+    if (!outcome) throw std::runtime_error(outcome.error());
+    return std::move(*outcome);
+}
+
+study::FloatImage rendered(const headless::Device& device, const std::string& technique, int slices) {
+    ShaftOptions shafts;
+    shafts.technique = technique;
+    shafts.accumulation = Accumulation::Rgba32f;
+    shafts.planes = slices;
+    PlannedScene planned = must(planScene(sampleView(), shafts));
+    const Frame frame = must(renderScene(device, planned, sampleView(), shafts, false));
+    study::FloatImage image{width, height, 3, {}};
+    for (const glm::vec3& pixel : frame.picture.pixels)
+        for (int c = 0; c < 3; ++c) image.values.push_back(pixel[c]);
+    return image;
+}
+
+study::FloatImage referenceFor(const headless::Device& device, const std::string& technique) {
+    ViewedScene viewed = must(viewScene(sampleView()));
+    leaveOut(viewed.lights, termsOf(technique).value());
+    const auto scene = must(hardwareScene(device, viewed, sampleView(), ShaftOptions{}.shadowSize));
+    study::ReferenceOptions options;
+    options.accuracy = 1e-6;
+    const auto exact = study::reference(scene, options);
+    if (!exact) throw std::runtime_error(exact.error());
+    EXPECT_LE(exact->largestBound, 1e-6);
+    study::FloatImage image{width, height, 3, {}};
+    for (const glm::dvec3& pixel : exact->radiance)
+        for (int c = 0; c < 3; ++c) image.values.push_back(static_cast<float>(pixel[c]));
+    return image;
+}
+
+class AccuracyTest : public testing::TestWithParam<int> {
+protected:
+    static std::string technique() {
+        return std::string(techniqueName((GetParam() & 4) != 0, (GetParam() & 2) != 0, (GetParam() & 1) != 0));
+    }
+};
+INSTANTIATE_TEST_SUITE_P(SampleScene, AccuracyTest, testing::Range(0, 8), [](const auto& test) {
+    return std::string(techniqueName((test.param & 4) != 0, (test.param & 2) != 0, (test.param & 1) != 0));
+});
+
+// Slices at the middles of slabs miss each edge along a ray by up to half a slab, so the error falls as one over
+// their number (tests/permutations/reference_test.cpp has the argument), down to what rasterizing on a grid of
+// 1/256 pixel and adding in floats leave.
+TEST_P(AccuracyTest, FallsAsOneOverTheNumberOfSlices) {
+    auto device = headless::Device::create({.validation = true});
+    ASSERT_TRUE(device) << device.error().message;
+    const study::FloatImage exact = referenceFor(*device, technique());
+    std::vector<double> errors;
+    for (const int slices : {100, 1000, 4000}) {
+        const auto metrics = study::compare(rendered(*device, technique(), slices), exact);
+        ASSERT_TRUE(metrics) << metrics.error();
+        ASSERT_TRUE(metrics->finite());
+        errors.push_back(metrics->relativeL2);
+        RecordProperty("relative_l2_" + std::to_string(slices), std::to_string(metrics->relativeL2));
+    }
+    EXPECT_TRUE(device->messages().empty()) << device->messages().front();
+    EXPECT_LT(errors[1], errors[0] / 6.0);
+    EXPECT_LT(errors[2], errors[1] / 2.5);
+    EXPECT_LT(errors[2], 0.002);
+}
+
+}  // namespace
+}  // namespace tyndall::test
