@@ -8,8 +8,13 @@ namespace tyndall::study {
 namespace {
 
 // Nearer than this share of its length, a ray is taken to pass the lamp at this distance when shadows are looked
-// for: ray and lamp then still span a plane, and every shadow moves by no more than that share.
-constexpr double leastDistance = 1e-9;
+// for, so that ray and lamp still span a plane. Edges then move by no more than that share, and what doubles leave
+// of the plane's direction is as little: the square root of their precision makes both alike.
+constexpr double leastDistance = 1e-8;
+
+double reachOf(Span span) {
+    return std::max(std::abs(span.begin), std::abs(span.end));
+}
 
 // The plane through lamp and ray: coordinates along the ray and across, from the lamp at the origin to the ray.
 struct RayPlane {
@@ -18,7 +23,7 @@ struct RayPlane {
 };
 
 RayPlane rayPlane(const LightRay& ray, Span span) {
-    const double least = leastDistance * std::max(std::abs(span.begin), std::abs(span.end));
+    const double least = leastDistance * reachOf(span);
     RayPlane plane{ray.direction, ray.foot, {}, ray.distance};
     if (plane.distance < least) {
         const glm::dvec3 d = glm::abs(ray.direction);
@@ -114,7 +119,7 @@ void litSpans(std::vector<LitSpan>& lit, const TriangleTree& occluders, double n
               Span span) {
     if (span.empty()) return;
     const RayPlane plane = rayPlane(ray, span);
-    const double reach = plane.distance + std::max(std::abs(span.begin), std::abs(span.end));
+    const double reach = plane.distance + reachOf(span);
     thread_local std::vector<std::uint32_t> found;
     thread_local std::vector<Span> dark;
     found.clear();
@@ -131,6 +136,11 @@ void litSpans(std::vector<LitSpan>& lit, const TriangleTree& occluders, double n
         open = std::max(open, shadow.end);
     }
     if (open < span.end) lit.push_back({{open, span.end}});
+}
+
+double edgeError(const LightRay& ray, Span span) {
+    const double share = ray.distance / reachOf(span);
+    return share < leastDistance ? 2.0 * leastDistance : 0x1p-52 / share;
 }
 
 }  // namespace tyndall::study

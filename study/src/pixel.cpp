@@ -64,7 +64,8 @@ Pixel integratePixel(const PreparedScene& prepared, int x, int y, double accurac
         const Quadrature integral = lightIntegral(light, ray, texturePaths(light, ray, scene.time), shadow,
                                                   prepared.shadowMaps[i], lit, accuracy);
         pixel.radiance += scatter * integral.value;
-        pixel.error += scatter * (integral.error + rounding * integral.value);
+        const double edges = light.light.shadow && scene.mode == Mode::Ideal ? edgeError(ray, span) : 0.0;
+        pixel.error += scatter * (integral.error + (rounding + edges) * integral.value);
         pixel.evaluations += integral.evaluations;
     }
     return pixel;

@@ -29,11 +29,11 @@ study::ReferenceScene commonPart(const ViewedScene& viewed, const ViewOptions& o
         const SceneLight& source = viewed.scene.lights[i];
         study::ReferenceLight light;
         light.light = viewed.lights[i];
-        if (source.cone && !asUploaded) {
+        if (light.light.cookie && source.cone && !asUploaded) {
             light.cone = study::Cone{source.cone->inner, source.cone->outer};
             light.light.cookie = source.slide.has_value();
             if (source.slide) light.cookie = textureOf(*source.slide, asUploaded);
-        } else if (source.cookie) {
+        } else if (light.light.cookie) {
             light.cookie = textureOf(viewed.scene.images[*source.cookie], asUploaded);
         }
         if (source.noise) light.noise = textureOf(viewed.scene.images[*source.noise], asUploaded);

@@ -15,11 +15,16 @@ constexpr std::uint32_t smallestSide = 512;
 constexpr int samples = 4;
 
 /// KHR_lights_punctual, "Inner and Outer Cone Angles".
-double falloff(double cosine, double inner, double outer) {
-    const double scale = 1.0 / std::max(0.001, std::cos(inner) - std::cos(outer));
-    const double share = std::clamp((cosine - std::cos(outer)) * scale, 0.0, 1.0);
-    return share * share;
-}
+struct Falloff {
+    double dark, scale;
+
+    Falloff(double inner, double outer)
+        : dark(std::cos(outer)), scale(1.0 / std::max(0.001, std::cos(inner) - std::cos(outer))) {}
+    double operator()(double cosine) const {
+        const double share = std::clamp((cosine - dark) * scale, 0.0, 1.0);
+        return share * share;
+    }
+};
 
 }  // namespace
 
@@ -29,13 +34,14 @@ Image bakeCone(double inner, double outer, const Image* given) {
     image.height = std::max(smallestSide, given != nullptr ? given->height : 0);
     image.texels.resize(std::size_t{image.width} * image.height);
     const double reach = std::tan(outer);
+    const Falloff falloff(inner, outer);
     for (std::uint32_t row = 0; row < image.height; ++row)
         for (std::uint32_t column = 0; column < image.width; ++column) {
             double sum = 0.0;
             for (int s = 0; s < samples * samples; ++s) {
                 const double x = reach * (2.0 * (column + (s % samples + 0.5) / samples) / image.width - 1.0);
                 const double y = reach * (2.0 * (row + (s / samples + 0.5) / samples) / image.height - 1.0);
-                sum += falloff(1.0 / std::sqrt(1.0 + x * x + y * y), inner, outer);
+                sum += falloff(1.0 / std::sqrt(1.0 + x * x + y * y));
             }
             const auto cone = static_cast<float>(sum / (samples * samples));
             const glm::vec4 slide =
