@@ -190,6 +190,24 @@ TEST(ClosedForm, BilinearRamps) {
     EXPECT_NEAR(value.b, base / 12.0, 1e-8 * base);
 }
 
+// One channel stands still while another ramps: a cell is constant only where all channels are. From y = 1 to 0, 2 m
+// before the lamp, green is (1 - y) / 2 and d^2 = 4 + y^2.
+TEST(ClosedForm, EachChannelOfACookieCounts) {
+    Light light = plainLight();
+    light.fov = {1.5707963267948966, 1.5707963267948966};
+    light.cookie = true;
+    study::ReferenceScene scene = oneRay(light, {0.0, 1.0, -2.0}, {0.0, -1.0, 0.0});
+    scene.lights[0].light.clipPlanes = {{0.0, 1.0, 0.0, 0.0}};
+    scene.view.nearPlane = 1e-9;
+    scene.lights[0].cookie = {1, 2, 3, {1.0f, 0.0f, 0.25f, 1.0f, 1.0f, 0.25f}};  // centres at v = 0.25 and 0.75
+    const glm::dvec3 value = radianceOf(scene, 1e-12);
+    const double base = light.density / static_cast<double>(fourPi) * light.intensity;
+    const double plain = base * 0.5 * std::atan(0.5);
+    EXPECT_NEAR(value.r, plain, 1e-8 * plain);  // the near plane's nanometre
+    EXPECT_NEAR(value.g, 0.5 * (plain - base * 0.5 * std::log(1.25)), 1e-8 * plain);
+    EXPECT_NEAR(value.b, 0.25 * plain, 1e-8 * plain);
+}
+
 // Along a line across the axis at distance 1 the cosine is 1 / sqrt(1 + x^2): with ambient alone, the squared falloff
 // is made of 1 / (1 + x^2), 1 / sqrt(1 + x^2) and 1.
 TEST(ClosedForm, ConeAcrossItsAxis) {
