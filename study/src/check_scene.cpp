@@ -48,7 +48,26 @@ Checked checkTexture(const std::string& place, const Texture& texture, int chann
     return {};
 }
 
-Checked checkLight(const ReferenceLight& reference, std::size_t index, Mode mode) {
+// Texels of noise across the light's field of view: each is a breakpoint of every ray that crosses it.
+constexpr double mostNoiseTexels = 1e5;
+
+Checked checkNoise(const std::string& place, const Noise& noise, const Texture& texture, double time) {
+    for (const double number :
+         {noise.gain, noise.scroll1.x * time, noise.scroll1.y * time, noise.scroll2.x * time, noise.scroll2.y * time})
+        if (!std::isfinite(number))
+            return broken("{}: its noise has a gain or a scroll times time of {}: both must be finite; lower them",
+                          place, number);
+    if (noise.gain < 0.0) return broken("{}: its noise has a gain of {}: it cannot be negative", place, noise.gain);
+    const double texels = std::max(std::abs(noise.scale.x) * texture.width, std::abs(noise.scale.y) * texture.height);
+    if (!(texels <= mostNoiseTexels))
+        return broken(
+            "{}: its noise is repeated over {} texels of the field of view: at most {} can be followed; lower "
+            "its scale",
+            place, texels, mostNoiseTexels);
+    return {};
+}
+
+Checked checkLight(const ReferenceLight& reference, std::size_t index, Mode mode, double time) {
     const Light& light = reference.light;
     const std::string place = fmt::format("light {}{}", index, light.name.empty() ? "" : " \"" + light.name + "\"");
     if (!rigid(light.worldFromLight))
@@ -72,8 +91,10 @@ Checked checkLight(const ReferenceLight& reference, std::size_t index, Mode mode
                           place, cone->inner, cone->outer);
     if (light.cookie)
         if (auto checked = checkTexture(place + ": its cookie", reference.cookie, 3); !checked) return checked;
-    if (light.noise)
+    if (light.noise) {
         if (auto checked = checkTexture(place + ": its noise", reference.noise, 2); !checked) return checked;
+        if (auto checked = checkNoise(place, *light.noise, reference.noise, time); !checked) return checked;
+    }
     if (light.shadow && mode == Mode::Hardware) {
         if (auto checked = checkTexture(place + ": its shadow map", reference.shadowMap, 1); !checked) return checked;
         if (reference.shadowMap.width != reference.shadowMap.height || reference.shadowMap.channels != 1)
@@ -110,7 +131,7 @@ Checked checkScene(const ReferenceScene& scene, const ReferenceOptions& options)
     if (!(scene.shadowBias >= 0.0 && std::isfinite(scene.shadowBias)))
         return broken("shadowBias is {} m: it must be finite and not negative", scene.shadowBias);
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        if (auto checked = checkLight(scene.lights[i], i, scene.mode); !checked) return checked;
+        if (auto checked = checkLight(scene.lights[i], i, scene.mode, scene.time); !checked) return checked;
     for (std::size_t i = 0; i < scene.triangles.size(); ++i)
         for (const glm::dvec3& p : {scene.triangles[i].a, scene.triangles[i].b, scene.triangles[i].c})
             if (!std::isfinite(p.x + p.y + p.z))

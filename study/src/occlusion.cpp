@@ -53,17 +53,22 @@ bool keep(Piece& piece, glm::dvec3 weight, double offset) {
     return true;
 }
 
-// Where the triangle cuts the plane. A corner that lies in it belongs to one side, so neighbours neither both
-// claim an edge nor both leave it out.
+bool before(const glm::dvec3& a, const glm::dvec3& b) {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+// Where the triangle cuts the plane. Neighbours agree on their common edge to the last bit: a corner in the plane
+// counts to one side for both, and the edge is always gone along in the same direction.
 std::optional<Piece> cut(const RayPlane& plane, const Corners& corners) {
     std::array<double, 3> side;
     for (int i = 0; i < 3; ++i) side[i] = glm::dot(plane.normal, corners[i]);
     std::array<glm::dvec3, 2> ends;
     int count = 0;
     for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        if ((side[i] < 0.0) == (side[j] < 0.0)) continue;
-        const glm::dvec3 p = corners[i] + (corners[j] - corners[i]) * (side[i] / (side[i] - side[j]));
+        int from = i, to = (i + 1) % 3;
+        if ((side[from] < 0.0) == (side[to] < 0.0)) continue;
+        if (before(corners[to], corners[from])) std::swap(from, to);
+        const glm::dvec3 p = corners[from] + (corners[to] - corners[from]) * (side[from] / (side[from] - side[to]));
         if (count < 2) ends[count++] = {glm::dot(plane.along, p), glm::dot(plane.across, p), -p.z};
     }
     if (count < 2) return std::nullopt;
@@ -130,17 +135,20 @@ void litSpans(std::vector<LitSpan>& lit, const TriangleTree& occluders, double n
             if (const Span shadow = shadowOf(*piece, plane, nearPlane, span); !shadow.empty()) dark.push_back(shadow);
 
     std::sort(dark.begin(), dark.end(), [](const Span& a, const Span& b) { return a.begin < b.begin; });
+    // What is lit between shadows whose edges cannot be told apart is rounding: no light falls through the joints of
+    // a closed surface, nor past the ends of the span.
+    const double joint = 4.0 * edgeError(ray, span);
     double open = span.begin;
     for (const Span& shadow : dark) {
-        if (open < shadow.begin) lit.push_back({{open, shadow.begin}});
+        if (open + joint < shadow.begin) lit.push_back({{open, shadow.begin}});
         open = std::max(open, shadow.end);
     }
-    if (open < span.end) lit.push_back({{open, span.end}});
+    if (open + joint < span.end || dark.empty()) lit.push_back({{open, span.end}});
 }
 
 double edgeError(const LightRay& ray, Span span) {
-    const double share = ray.distance / reachOf(span);
-    return share < leastDistance ? 2.0 * leastDistance : 0x1p-52 / share;
+    const double reach = reachOf(span), share = ray.distance / reach;
+    return reach * (share < leastDistance ? 2.0 * leastDistance : 0x1p-52 / share);
 }
 
 }  // namespace tyndall::study

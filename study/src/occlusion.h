@@ -23,7 +23,7 @@ TriangleTree occluders(const Light& light, const std::vector<Triangle>& triangle
 void litSpans(std::vector<LitSpan>& lit, const TriangleTree& occluders, double nearPlane, const LightRay& ray,
               Span span);
 
-/// Relative error of where the shadows' edges lie: what doubles leave of the plane through ray and lamp.
+/// Metres by which the shadows' edges may be off: what doubles leave of the plane through ray and lamp.
 double edgeError(const LightRay& ray, Span span);
 
 }  // namespace tyndall::study

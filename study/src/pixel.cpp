@@ -14,6 +14,28 @@ namespace {
 // subtracted from anything of its own size, and no term is negative, so it stays relative.
 constexpr double rounding = 64.0 * 0x1p-53;
 
+// Metres by which the place of a shadow's edge may be off.
+double edgeErrorOf(Mode mode, const Light& light, const LightRay& ray, Span span) {
+    if (mode == Mode::Ideal) return edgeError(ray, span);
+    // The axis distance meets a texel's where the ray may run almost along it.
+    const double reach = std::max(std::abs(span.begin), std::abs(span.end));
+    return std::min(0x1p-52 * (reach + light.farPlane / std::abs(ray.direction.z)), span.end - span.begin);
+}
+
+// What that is in light: each edge of a lit stretch that is not an end of the span may add or take so much.
+double edgeLight(Mode mode, const Light& light, const LightRay& ray, Span span, const std::vector<LitSpan>& lit) {
+    const double gain = light.noise ? light.noise->gain : 1.0;
+    const auto brightness = [&](double s) {
+        return gain * (light.intensity / (ray.distance * ray.distance + s * s) + light.ambient);
+    };
+    double sum = 0.0;
+    for (const LitSpan& stretch : lit) {
+        if (stretch.span.begin > span.begin) sum += brightness(stretch.span.begin);
+        if (stretch.span.end < span.end) sum += brightness(stretch.span.end);
+    }
+    return sum * edgeErrorOf(mode, light, ray, span);
+}
+
 }  // namespace
 
 PreparedScene prepare(const ReferenceScene& scene) {
@@ -64,8 +86,8 @@ Pixel integratePixel(const PreparedScene& prepared, int x, int y, double accurac
         const Quadrature integral = lightIntegral(light, ray, texturePaths(light, ray, scene.time), shadow,
                                                   prepared.shadowMaps[i], lit, accuracy);
         pixel.radiance += scatter * integral.value;
-        const double edges = light.light.shadow && scene.mode == Mode::Ideal ? edgeError(ray, span) : 0.0;
-        pixel.error += scatter * (integral.error + (rounding + edges) * integral.value);
+        const double edges = light.light.shadow ? edgeLight(scene.mode, light.light, ray, span, lit) : 0.0;
+        pixel.error += scatter * (integral.error + rounding * integral.value + edges);
         pixel.evaluations += integral.evaluations;
     }
     return pixel;

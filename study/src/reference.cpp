@@ -19,7 +19,10 @@ constexpr auto progressEvery = std::chrono::milliseconds(100);
 /// Rows handed out to threads; the calling thread waits and reports.
 class Rows {
 public:
-    Rows(int count, unsigned threads, const std::function<void(int)>& work) : count_(count), work_(work) {
+    /// Of one row; it should end early once it is told to stop.
+    using Work = std::function<void(int row, const std::atomic<bool>& stop)>;
+
+    Rows(int count, unsigned threads, const Work& work) : count_(count), work_(work) {
         for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
     }
 
@@ -33,7 +36,7 @@ public:
                 lock.unlock();
                 if (wanted && progress && !progress(static_cast<double>(done_.load()) / count_)) {
                     wanted = false;
-                    next_ = count_;
+                    stop_ = true;
                 }
                 lock.lock();
             }
@@ -46,14 +49,14 @@ public:
 private:
     void run() {
         try {
-            for (int row = next_++; row < count_; row = next_++) {
-                work_(row);
+            for (int row = next_++; row < count_ && !stop_; row = next_++) {
+                work_(row, stop_);
                 ++done_;
             }
         } catch (...) {
             const std::scoped_lock lock(mutex_);
             thrown_ = std::current_exception();
-            next_ = count_;
+            stop_ = true;
         }
         const std::scoped_lock lock(mutex_);
         ++finished_;
@@ -61,8 +64,9 @@ private:
     }
 
     int count_;
-    const std::function<void(int)>& work_;
+    const Work& work_;
     std::atomic<int> next_ = 0, done_ = 0;
+    std::atomic<bool> stop_ = false;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::size_t finished_ = 0;
@@ -82,8 +86,8 @@ tl::expected<ReferenceImage, std::string> reference(const ReferenceScene& scene,
     image.radiance.resize(static_cast<std::size_t>(scene.width) * scene.height);
     image.bound.resize(image.radiance.size());
     std::vector<std::uint64_t> evaluations(static_cast<std::size_t>(scene.height));
-    const std::function<void(int)> row = [&](int y) {
-        for (int x = 0; x < scene.width; ++x) {
+    const Rows::Work row = [&](int y, const std::atomic<bool>& stop) {
+        for (int x = 0; x < scene.width && !stop; ++x) {
             const Pixel pixel = integratePixel(prepared, x, y, options.accuracy);
             const std::size_t at = static_cast<std::size_t>(y) * scene.width + x;
             image.radiance[at] = pixel.radiance;

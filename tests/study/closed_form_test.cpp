@@ -117,6 +117,60 @@ TEST(ClosedForm, HalfSpaceOccluder) {
     RecordProperty("largest_relative_error", std::to_string(worst * 1e15) + "e-15");
 }
 
+// A closed surface across the whole beam, of 800 triangles that share their corners: behind it is darkness, exactly.
+TEST(ClosedForm, NoLightFallsThroughTheJointsOfASurface) {
+    Light light = plainLight();
+    light.shadow = true;
+    light.fov = {1.2, 1.2};
+    light.farPlane = 10.0;
+    light.clipPlanes = {{0.0, 0.0, -1.0, -1.0}};
+    study::ReferenceScene scene = oneRay(light, {9.0, 0.1, -5.0}, {-1.0, 0.0, 0.0});
+    scene.width = 64;
+    scene.height = 36;
+    const auto corner = [](int i, int j) {
+        return glm::dvec3(-0.71 + 1.42 * i / 20, -0.73 + 1.46 * j / 20, -0.75 + 0.01 * std::sin(i * 1.3 + j * 0.7));
+    };
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 20; ++j)
+            for (const auto& t : pane(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)))
+                scene.triangles.push_back(t);
+    const auto dark = study::reference(scene);
+    scene.lights[0].light.shadow = false;
+    const auto open = study::reference(scene);
+    ASSERT_TRUE(dark && open);
+    int seen = 0;
+    for (std::size_t i = 0; i < open->radiance.size(); ++i) {
+        seen += open->radiance[i].x > 0.0;
+        EXPECT_EQ(dark->radiance[i].x, 0.0) << i;
+    }
+    EXPECT_GT(seen, 500);
+}
+
+// Between two panes a slit is lit, ever narrower: its edges are what doubles leave of them, and the bound says how
+// much of so little light that is.
+TEST(ClosedForm, TheBoundHoldsForASlit) {
+    Light light = plainLight();
+    light.shadow = true;
+    light.fov = glm::dvec2(1.5);
+    light.nearPlane = 0.25;
+    light.farPlane = 32.0;
+    for (double width = 0.0625; width > 1e-8; width *= 0.25) {
+        // Along x at 16 m before the lamp; the panes stand at 1 m, their gap at x from 0.5 on.
+        study::ReferenceScene scene = oneRay(light, {20.0, 0.0, -16.0}, {-1.0, 0.0, 0.0});
+        scene.triangles = pane({-9, -9, -1}, {0.5, -9, -1}, {0.5, 9, -1}, {-9, 9, -1});
+        for (const auto& t : pane({0.5 + width, -9, -1}, {9, -9, -1}, {9, 9, -1}, {0.5 + width, 9, -1}))
+            scene.triangles.push_back(t);
+        const auto image = study::reference(scene, {1e-8, 1, {}});
+        ASSERT_TRUE(image);
+        const Real a = 8, b = 8 + 16 * static_cast<Real>(width);  // exact in binary
+        const Real angle = std::atan2(16 * (b - a), 256 + a * b);
+        const Real exact = static_cast<Real>(light.density) / fourPi * static_cast<Real>(light.intensity) * angle / 16;
+        const Real error = std::abs(static_cast<Real>(image->radiance[0].x) / exact - 1);
+        EXPECT_LE(static_cast<double>(error), image->bound[0]) << width;
+        EXPECT_LT(image->bound[0], 1e-12 / width) << width;
+    }
+}
+
 // Mapped shadows, in a plane through the lamp: u stands still, so the filter's weight is one number.
 TEST(ClosedForm, ShadowMapFiltersWhatItCompares) {
     Light light = plainLight();
