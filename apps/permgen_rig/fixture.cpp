@@ -13,6 +13,7 @@ namespace {
 
 constexpr int longestSide = 4096;
 constexpr std::size_t mostVertices = 1u << 20;
+constexpr int deepest = 64;  // the deepest product takes 37; what is walked by recursion ends long before the stack
 
 void readNumbers(const JsonValue& value, std::size_t depth, Numbers& numbers) {
     if (value.json().is_boolean()) {
@@ -176,15 +177,29 @@ Fixture read(const JsonValue& root, const std::string& path) {
     return fixture;
 }
 
+JsonValue::Json parse(const std::string& text, const std::string& path) {
+    const auto checkDepth = [&](int depth, JsonValue::Json::parse_event_t, const JsonValue::Json&) {
+        if (depth > deepest)
+            throw FixtureFault(fmt::format(
+                "{}: brackets and braces are nested more than {} deep; no fixture needs that", path, deepest));
+        return true;
+    };
+    return JsonValue::Json::parse(text, checkDepth, true, true);  // comments are welcome
+}
+
 }  // namespace
 
 Outcome<Fixture> readFixture(const std::string& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        return tl::unexpected(path + ": this is a folder; name a fixture file, as in " +
+                              (std::filesystem::path(path) / "NAME.rig.json").string());
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file.is_open() || file.bad())
         return tl::unexpected(path + ": cannot be read; name a fixture file that is there");
     try {
-        const auto json = JsonValue::Json::parse(text, nullptr, true, true);  // comments are welcome
+        const JsonValue::Json json = parse(text, path);
         return read(JsonValue(json, path + ":"), path);
     } catch (const FixtureFault& fault) {
         return tl::unexpected(std::string(fault.what()));

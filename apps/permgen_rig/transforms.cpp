@@ -50,7 +50,10 @@ glm::dmat4 rotation(const JsonValue& value) {
     return glm::rotate(glm::dmat4(1.0), glm::radians(value.at("degrees").number()), direction(value.at("axis")));
 }
 
-glm::dmat4 matrix(const JsonValue& value) {
+// Deeper than any arrangement by hand, and far from what the stack holds.
+constexpr int deepestProduct = 16;
+
+glm::dmat4 matrix(const JsonValue& value, int depth = 0) {
     value.allowOnly({"identity", "perspective", "lookAt", "rotate", "scale", "translate", "product"});
     const auto members = value.members();
     if (members.size() != 1) value.fail("a matrix is one of these at a time; put several into \"product\"");
@@ -61,8 +64,11 @@ glm::dmat4 matrix(const JsonValue& value) {
     if (name == "scale") return glm::scale(glm::dmat4(1.0), vector3(inner));
     if (name == "translate") return glm::translate(glm::dmat4(1.0), vector3(inner));
     glm::dmat4 all(1.0);
-    if (name == "product")
-        for (const JsonValue& factor : inner.list()) all = all * matrix(factor);
+    if (name != "product") return all;
+    if (depth == deepestProduct)
+        inner.fail("products are nested {} deep at most; write the factors of the inner ones into one list",
+                   deepestProduct);
+    for (const JsonValue& factor : inner.list()) all = all * matrix(factor, depth + 1);
     return all;
 }
 

@@ -130,6 +130,40 @@ TEST_F(FixtureFile, MistakesAreAnsweredWithTheirPlace) {
     }
 }
 
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+}
+
+std::string products(int depth) {
+    return R"({"constants": {"g": )" + repeated(R"({"product":[)", depth) + R"({"identity": true})" +
+           repeated("]}", depth) + "}}";
+}
+
+TEST_F(FixtureFile, ProductsAreNestedSixteenDeepAndNoDeeper) {
+    EXPECT_TRUE(read(products(16)).has_value());
+    EXPECT_NE(complaint(products(17)).find("products are nested 16 deep at most"), std::string::npos);
+}
+
+// Deep enough to run off the end of the stack, were anything to follow it all the way down.
+TEST_F(FixtureFile, DeepNestingIsRefusedWhereverItStands) {
+    const std::string expected = "brackets and braces are nested more than 64 deep";
+    constexpr int depth = 200000;
+    for (const std::string& text :
+         {products(depth), repeated(R"({"product":[)", depth), repeated("[", depth), repeated(R"({"a":)", depth),
+          R"({"size": )" + repeated("[", depth) + repeated("]", depth) + "}",
+          R"({"format": )" + repeated(R"({"a":)", depth) + "1" + repeated("}", depth) + "}"})
+        EXPECT_EQ(complaint(text).substr(0, expected.size()), expected);
+}
+
+TEST_F(FixtureFile, AFolderIsCalledOne) {
+    const auto fixture = readFixture(folder.path());
+    ASSERT_FALSE(fixture.has_value());
+    EXPECT_EQ(fixture.error(),
+              folder.path() + ": this is a folder; name a fixture file, as in " + folder.at("NAME.rig.json"));
+}
+
 TEST_F(FixtureFile, AMissingFileIsNamed) {
     EXPECT_EQ(readFixture(folder.at("none.json")).error(),
               folder.at("none.json") + ": cannot be read; name a fixture file that is there");

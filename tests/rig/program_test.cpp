@@ -177,6 +177,7 @@ TEST_F(Program, WrongCommandLinesAreRefused) {
                   "there is no technique 'pictur'; did you mean 'picture'?");
     expectRefused({folder.at("none.fx.json"), fixture}, "none.fx.json");
     expectRefused({manifest, folder.at("none.json")}, "none.json: cannot be read");
+    expectRefused({manifest, folder.path()}, folder.path() + ": this is a folder");
     expectRefused({manifest, fixture, "--device", "no such device"}, "no such device");
     EXPECT_EQ(rig({"--help"}).status, 0);
 }
@@ -212,6 +213,10 @@ TEST_F(Program, AReportThatCannotBeWrittenIsSaid) {
     writeText(folder.at("file"), "");
     expectRefused({manifest, fixture, "--goldens", goldens, "--report", folder.at("file")},
                   "the report cannot be written");
+    writeText(folder.at("garden/index.html"), "My garden");
+    expectRefused({manifest, fixture, "--goldens", goldens, "--report", folder.at("garden")},
+                  "its index.html is no page of failing comparisons");
+    EXPECT_EQ(listing(folder.at("garden")), "index.html\n");
 }
 
 }  // namespace
