@@ -166,6 +166,30 @@ TEST(Report, AFolderThatCannotBeWrittenIsNamed) {
     EXPECT_NE(reported.error().find(folder.at("report")), std::string::npos) << reported.error();
 }
 
+TEST(Report, AStrangersPageIsKept) {
+    const std::string theirs = "<!doctype html><title>My garden</title>";
+    for (const std::string& page : {theirs, std::string()}) {
+        const Folder folder;
+        test::writeText(folder.at("index.html"), page);
+        const auto reported = reportFailure(folder.path(), failureOf("lamp"), nullptr, nullptr);
+        ASSERT_FALSE(reported.has_value());
+        EXPECT_EQ(reported.error(), folder.path() +
+                                        ": the report cannot be written: its index.html is no page of failing "
+                                        "comparisons, and would be lost; choose another folder");
+        EXPECT_EQ(test::listing(folder.path()), "index.html\n");
+        EXPECT_EQ(test::readText(folder.at("index.html")), page);
+    }
+}
+
+// Put there after a report was: what passes then must not cost it either.
+TEST(Report, AStrangersPageIsKeptWhenAFailurePasses) {
+    const Folder folder;
+    ASSERT_TRUE(reportFailure(folder.path(), failureOf("lamp"), nullptr, nullptr).has_value());
+    test::writeText(folder.at("index.html"), "My garden");
+    EXPECT_FALSE(reportPass(folder.path(), failureOf("lamp").subject).has_value());
+    EXPECT_EQ(test::readText(folder.at("index.html")), "My garden");
+}
+
 // ctest runs many test processes at once. Whoever reports last has written a page that shows everybody's.
 TEST(Report, ProcessesThatReportAtOnceLoseNothing) {
     const Folder folder;

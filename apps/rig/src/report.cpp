@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "report_entry.h"
 #include "report_page.h"
@@ -18,6 +19,8 @@ namespace tyndall::rig {
 namespace {
 
 namespace fs = std::filesystem;
+
+const std::string anotherPage = "its index.html is no page of failing comparisons, and would be lost";
 
 /// Held by one process at a time, and given back by the kernel should it die.
 class FolderLock {
@@ -47,7 +50,21 @@ tl::unexpected<std::string> cannotWrite(const fs::path& folder, const std::strin
         fmt::format("{}: the report cannot be written: {}; choose another folder", folder.string(), reason));
 }
 
+/// Somebody's web site may stand where a report is wanted: its page is theirs to keep.
+bool holdsAnotherPage(const fs::path& folder) {
+    const fs::path page = folder / "index.html";
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(page, ignored))) return false;
+    if (!fs::is_regular_file(page, ignored)) return true;
+    constexpr std::size_t head = 1024;  // the title stands in the first 200 bytes
+    std::string start(head, '\0');
+    std::ifstream file(page, std::ios::binary);
+    file.read(start.data(), head);
+    return start.find(pageMark) == std::string::npos;
+}
+
 Outcome<void> rebuildPage(const fs::path& folder) {
+    if (holdsAnotherPage(folder)) return cannotWrite(folder, anotherPage);
     const std::string why =
         permgen::write_files({{(folder / "index.html").string(), reportPage((folder / "entries").string())}});
     if (!why.empty()) return cannotWrite(folder, why);
@@ -93,6 +110,7 @@ std::string entryKey(const Subject& subject) {
 
 Outcome<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
                             const Image* expected) {
+    if (holdsAnotherPage(folder)) return cannotWrite(folder, anotherPage);
     std::error_code error;
     fs::create_directories(fs::path(folder) / "entries", error);
     if (error) return cannotWrite(folder, error.message());

@@ -199,8 +199,8 @@ std::string reportPage(const std::string& entriesFolder) {
     std::string html = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-        "<title>{0} failing comparisons</title>\n<style>{1}</style></head>\n<body><main>\n<h1>{2}</h1>\n",
-        entries.size(), style,
+        "<title>{0}{1}\n<style>{2}</style></head>\n<body><main>\n<h1>{3}</h1>\n",
+        entries.size(), pageMark, style,
         entries.empty()
             ? "Nothing fails"
             : fmt::format("{} comparison{} in {} technique{} fail{}", entries.size(), entries.size() == 1 ? "" : "s",

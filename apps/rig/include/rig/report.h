@@ -32,7 +32,7 @@ struct Failure {
 };
 
 /// Adds or replaces the failure's entry and rebuilds the page. Either image may be null.
-/// Errors: the folder cannot be written.
+/// Errors: the folder cannot be written, or its index.html is no such page; nothing is changed then.
 Outcome<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
                             const Image* expected);
 
