@@ -221,12 +221,25 @@ TEST(Compare, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_NE(runTyndall({"compare", TYNDALL_PROGRAM, good}).errors.find("neither OpenEXR nor PNG"), std::string::npos);
 }
 
-TEST(Compare, ChannelsOfOtherNamesAreNamed) {
-    const std::string named = writeExr(picture(), {.channels = {"direct.I", "direct.J", "direct.K"}});
-    const ProgramRun run = runTyndall({"compare", named, writeExr(picture())});
-    EXPECT_EQ(run.status, 0);
-    EXPECT_EQ(run.errors,
-              "tyndall: note: channels direct.I direct.J direct.K are compared with R G B, in this order\n");
+TEST(Compare, ChannelsOfOtherNamesAreRefused) {
+    const auto refused = [](const std::string& image, const std::string& reference, const char* says) {
+        const std::string out = freshPath("difference.exr");
+        const ProgramRun run = runTyndall({"compare", image, reference, "--difference", out});
+        EXPECT_EQ(run.status, 1);
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find(says), std::string::npos) << run.errors;
+        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+        EXPECT_TRUE(neighbours(out).empty());
+    };
+    const std::string colours = writeExr(picture());
+    for (const std::string& named : {writeExr(picture(), {.channels = {"X", "Y", "Z"}}),
+                                     writeExr(picture(), {.channels = {"direct.R", "direct.G", "direct.B"}})}) {
+        refused(named, colours, "R G B");
+        refused(colours, named, "the channels are R G B in the image and ");
+    }
+    const study::FloatImage single{2, 1, 1, {0.5f, 0.25f}};
+    refused(writeExr(single, {.channels = {"Z"}}), writeExr(single, {.channels = {"R"}}),
+            "the channels are Z in the image and R in the reference; rename them");
 }
 
 TEST(Compare, PathsThatAreNoUtf8StillMakeJson) {

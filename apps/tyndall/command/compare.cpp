@@ -51,12 +51,13 @@ Outcome<Said> compare(const CompareOptions& options) {
                                   {.bandingThreshold = options.bandingThreshold});
     if (!metrics) return fail("{} cannot be compared with {}: {}", options.image, options.reference, metrics.error());
     comparison.metrics = *metrics;
+    if (comparison.image.channels != comparison.reference.channels)
+        return fail(
+            "{} cannot be compared with {}: the channels are {} in the image and {} in the reference; rename them",
+            options.image, options.reference, fmt::join(comparison.image.channels, " "),
+            fmt::join(comparison.reference.channels, " "));
 
     Said said;
-    if (comparison.image.channels != comparison.reference.channels)
-        said.notes.push_back(fmt::format("note: channels {} are compared with {}, in this order",
-                                         fmt::join(comparison.image.channels, " "),
-                                         fmt::join(comparison.reference.channels, " ")));
     if (options.difference) {
         auto written = writeDifference(*options.difference, comparison, options);
         if (!written) return tl::unexpected(written.error());
