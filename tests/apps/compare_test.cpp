@@ -130,6 +130,32 @@ TEST(Compare, WhatIsNoNumberFailsWithoutBeingAsked) {
     EXPECT_EQ(runTyndall({"compare", path, path}).status, 1) << "the same NaN in both is still none";
 }
 
+TEST(Compare, WithoutANumberInBothThereAreNoFigures) {
+    study::FloatImage none = picture(), odd = picture(), even = picture();
+    for (std::size_t k = 0; k < none.values.size(); ++k) {
+        none.values[k] = std::numeric_limits<float>::quiet_NaN();
+        (k % 2 == 0 ? even : odd).values[k] = std::numeric_limits<float>::infinity();
+    }
+    for (const auto& [image, reference] : {std::pair(none, none), std::pair(none, picture()), std::pair(odd, even)}) {
+        const std::string a = writeExr(image), b = writeExr(reference);
+        const ProgramRun text = runTyndall({"compare", a, b, "--max-relative-l2", "0.1"});
+        EXPECT_EQ(text.status, 1);
+        EXPECT_NE(text.output.find("nothing to compare"), std::string::npos) << text.output;
+        for (const char* figure : {"relative L2", "largest error", "energy", "banding", "dead zone"})
+            EXPECT_EQ(text.output.find(figure), std::string::npos) << text.output;
+        const ProgramRun run = runTyndall({"compare", a, b, "--json"});
+        EXPECT_EQ(run.status, 1);
+        const auto figures = nlohmann::json::parse(run.output, nullptr, false);
+        EXPECT_EQ(figures["compared"], 0);
+        EXPECT_EQ(figures["passed"], false);
+        for (const char* figure :
+             {"relativeL2", "relativeMeanSquare", "maximumAbsolute", "worst", "meanDifference", "energy"})
+            EXPECT_TRUE(figures.contains(figure) && figures[figure].is_null()) << figure << run.output;
+        EXPECT_TRUE(figures["banding"]["longestRun"].is_null()) << run.output;
+        EXPECT_TRUE(figures["deadZone"]["count"].is_null()) << run.output;
+    }
+}
+
 TEST(Compare, HalfTiledAndSmallerLevelsReadAsTheSamePicture) {
     const std::string plain = writeExr(picture());
     for (const ExrLayout& layout :

@@ -70,19 +70,9 @@ std::string deadZoneText(const Comparison& comparison) {
                        100.0 * dead.share, std::abs(dead.largest.reference), placeText(comparison, dead.largest.place));
 }
 
-}  // namespace
-
-ordered_json compareReport(const Comparison& comparison, const CompareOptions& options) {
+ordered_json figuresReport(const Comparison& comparison, const CompareOptions& options) {
     const study::Metrics& metrics = comparison.metrics;
     ordered_json report;
-    report["image"] = pictureReport(options.image, comparison.image);
-    report["reference"] = pictureReport(options.reference, comparison.reference);
-    report["width"] = metrics.width;
-    report["height"] = metrics.height;
-    report["channels"] = comparison.image.channels;
-    report["compared"] = metrics.compared;
-    report["nonFinite"] = {{"image", nonFiniteReport(comparison, metrics.image)},
-                           {"reference", nonFiniteReport(comparison, metrics.reference)}};
     report["relativeL2"] = metrics.relativeL2;
     report["relativeMeanSquare"] = metrics.relativeMeanSquare;
     report["maximumAbsolute"] = metrics.maximumAbsolute;
@@ -99,6 +89,35 @@ ordered_json compareReport(const Comparison& comparison, const CompareOptions& o
     }
     ordered_json& dead = report["deadZone"] = {{"count", metrics.deadZone.count}, {"share", metrics.deadZone.share}};
     if (metrics.deadZone.count > 0) dead["largest"] = sampleReport(comparison, metrics.deadZone.largest);
+    return report;
+}
+
+/// The members of figuresReport() for pictures without a place where both values are finite.
+ordered_json noFigures(const CompareOptions& options) {
+    return {{"relativeL2", nullptr},
+            {"relativeMeanSquare", nullptr},
+            {"maximumAbsolute", nullptr},
+            {"worst", nullptr},
+            {"meanDifference", nullptr},
+            {"energy", nullptr},
+            {"banding", {{"threshold", options.bandingThreshold}, {"longestRun", nullptr}}},
+            {"deadZone", {{"count", nullptr}, {"share", nullptr}}}};
+}
+
+}  // namespace
+
+ordered_json compareReport(const Comparison& comparison, const CompareOptions& options) {
+    const study::Metrics& metrics = comparison.metrics;
+    ordered_json report;
+    report["image"] = pictureReport(options.image, comparison.image);
+    report["reference"] = pictureReport(options.reference, comparison.reference);
+    report["width"] = metrics.width;
+    report["height"] = metrics.height;
+    report["channels"] = comparison.image.channels;
+    report["compared"] = metrics.compared;
+    report["nonFinite"] = {{"image", nonFiniteReport(comparison, metrics.image)},
+                           {"reference", nonFiniteReport(comparison, metrics.reference)}};
+    report.update(metrics.compared > 0 ? figuresReport(comparison, options) : noFigures(options));
     const auto failed = verdict(comparison, options);
     report["passed"] = !failed;
     if (failed) report["verdict"] = *failed;
@@ -115,6 +134,10 @@ std::string compareText(const Comparison& comparison, const CompareOptions& opti
     if (metrics.image.count() > 0) line("not finite", nonFiniteText(comparison, "the image", metrics.image));
     if (metrics.reference.count() > 0)
         line("not finite", nonFiniteText(comparison, "the reference", metrics.reference));
+    if (metrics.compared == 0) {
+        line("figures", "nothing to compare: no value is finite in both pictures");
+        return text;
+    }
     line("relative L2", fmt::format("{:.4g}", metrics.relativeL2));
     line("relative mean square", fmt::format("{:.4g}", metrics.relativeMeanSquare));
     line("largest error", metrics.maximumAbsolute > 0.0

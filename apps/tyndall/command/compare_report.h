@@ -17,7 +17,7 @@ struct Comparison {
     study::Metrics metrics;
 };
 
-/// Infinite figures are null: JSON has no infinity.
+/// Infinite figures are null: JSON has no infinity. So are all figures where nothing could be compared.
 nlohmann::ordered_json compareReport(const Comparison& comparison, const CompareOptions& options);
 
 std::string compareText(const Comparison& comparison, const CompareOptions& options);
