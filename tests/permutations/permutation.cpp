@@ -3,14 +3,17 @@
 #include <slices.fx.h>
 #include <tyndall/plan.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <ostream>
-#include <stdexcept>
 
 #include "effects.h"
 
 namespace tyndall::test {
 namespace {
+
+constexpr std::array<std::string_view, 3> kTerms{"bScrollingNoise", "bShadowMapping", "bCookie"};
 
 bool switchOf(const permgen::Technique& technique, std::string_view axis) {
     for (const permgen::Constant& constant : technique.passes[0].pixel.constants)
@@ -18,13 +21,31 @@ bool switchOf(const permgen::Technique& technique, std::string_view axis) {
     return false;
 }
 
+bool isTerm(const permgen::Constant& constant) {
+    return std::find(kTerms.begin(), kTerms.end(), constant.name) != kTerms.end();
+}
+
+/// Constants stand in the order of the module's axes.
+bool leavesFurtherSwitchesAlone(const permgen::Technique& technique) {
+    for (const permgen::Shader* shader : {&technique.passes[0].vertex, &technique.passes[0].pixel})
+        for (std::size_t i = 0; i < shader->constants.size(); ++i)
+            if (!isTerm(shader->constants[i]) && shader->constants[i].bits != shader->module->axes[i].bits)
+                return false;
+    return technique.passes.size() == 1;
+}
+
 Permutation permutationOf(const permgen::Technique& technique) {
     for (int bits = 0; bits < 8; ++bits) {
         const bool noise = (bits & 4) != 0, shadow = (bits & 2) != 0, cookie = (bits & 1) != 0;
-        if (technique.name == techniqueName(noise, shadow, cookie)) return {&technique, noise, shadow, cookie};
+        if (technique.name == techniqueName(noise, shadow, cookie))
+            return {&technique, noise, shadow, cookie, true, true};
     }
-    return {&technique, switchOf(technique, "bScrollingNoise"), switchOf(technique, "bShadowMapping"),
-            switchOf(technique, "bCookie")};
+    return {&technique,
+            switchOf(technique, kTerms[0]),
+            switchOf(technique, kTerms[1]),
+            switchOf(technique, kTerms[2]),
+            false,
+            leavesFurtherSwitchesAlone(technique)};
 }
 
 std::string valueOf(const permgen::Constant& constant) {
@@ -62,14 +83,19 @@ std::vector<Permutation> permutations() {
     return all;
 }
 
-Permutation permutation(bool noise, bool shadow, bool cookie) {
-    for (const Permutation& candidate : permutations())
-        if (candidate.noise == noise && candidate.shadow == shadow && candidate.cookie == cookie) return candidate;
-    throw std::runtime_error("slices.fx has no technique with these terms");
+std::vector<Permutation> predictedPermutations() {
+    std::vector<Permutation> predicted = permutations();
+    std::erase_if(predicted, [](const Permutation& permutation) { return !permutation.predicted; });
+    return predicted;
 }
 
 Shot shotFor(const Permutation& permutation, const Shot& shot) {
     return withTerms(shot, permutation.noise, permutation.shadow, permutation.cookie);
+}
+
+DrawOptions optionsFor(const Permutation& permutation, DrawOptions options) {
+    if (!permutation.chosen) options.drawnWith = permutation.technique->name;
+    return options;
 }
 
 void PrintTo(const Permutation& permutation, std::ostream* out) {

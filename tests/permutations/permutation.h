@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "draw.h"
 #include "scenes.h"
 
 namespace tyndall::test {
@@ -19,6 +20,12 @@ struct Permutation {
     const permgen::Technique* technique;
     /// The terms that its name promises; of a technique that plan() does not know, those its switches set.
     bool noise, shadow, cookie;
+    /// plan() chooses it for a light with these terms. Every other is drawn by name.
+    bool chosen;
+    /// The three terms say what it draws: plan() may choose it, or every further switch that it has stands where the
+    /// shader's module leaves it. Of a switch that is set the tests know nothing but that it is drawn, the same
+    /// every time, the same frozen as specialized, and finite.
+    bool predicted;
 
     std::string name() const { return std::string(technique->name); }
     std::string effect() const { return std::string(effectTables().name); }
@@ -30,11 +37,16 @@ struct Permutation {
 /// One for each technique, in the effect's order.
 std::vector<Permutation> permutations();
 
-/// The one with these terms.
-Permutation permutation(bool noise, bool shadow, bool cookie);
+/// Those for the oracle, the masks and the laws, which are about the three terms; what else there is, is left out
+/// by what its switches are, and never by its name.
+std::vector<Permutation> predictedPermutations();
 
-/// The shot with the terms of the permutation alone, so that planning it must lead to that technique.
+/// The shot with the terms of the permutation alone.
 Shot shotFor(const Permutation& permutation, const Shot& shot);
+
+/// Draws that shot with that technique: plan() has to come upon it where it can, and else it takes the place of
+/// the one that plan() chooses.
+DrawOptions optionsFor(const Permutation& permutation, DrawOptions options = {});
 
 /// For gtest's parameter names.
 struct PermutationName {

@@ -74,7 +74,7 @@ struct Case {
 
 std::vector<Case> cases() {
     std::vector<Case> all;
-    for (const Permutation& permutation : permutations())
+    for (const Permutation& permutation : predictedPermutations())
         for (const NamedShot& shot : shots()) {
             if (shot.name.starts_with("side_")) continue;  // these differ in the number of slices alone
             const bool everyTerm = permutation.noise && permutation.shadow && permutation.cookie;
@@ -100,7 +100,7 @@ TEST_P(ReferenceTest, SlicesCloseInOnTheIntegral) {
     std::vector<glm::dvec3> exact;
     for (const int slices : {100, 400, 1600}) {
         shot.slices = slices;
-        const Drawing drawing = draw(shot);
+        const Drawing drawing = draw(shot, optionsFor(GetParam().permutation));
         ASSERT_EQ(whyNotFinite(drawing.sum), "");
         ASSERT_EQ(drawing.plan.lights.at(0).technique, GetParam().permutation.technique->name);
         if (exact.empty()) exact = truth(shot, drawing.plan.lights[0].farDepth - drawing.plan.lights[0].nearDepth);

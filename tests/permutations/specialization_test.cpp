@@ -22,6 +22,7 @@ Drawing drawByName(const Permutation& permutation, bool article, Shaders shaders
 void expectSame(const Permutation& permutation, const std::string& check, const Drawing& drawing,
                 const Drawing& expected) {
     EXPECT_GT(litPixels(expected.sum), 500);
+    EXPECT_EQ(whyNotFinite(expected.sum), "");
     const rig::Image image = imageOf(drawing.sum), other = imageOf(expected.sum);
     judge(permutation, check, rig::whyDifferent(image, other, rig::Tolerance::Exact), image, &other);
 }
@@ -44,7 +45,7 @@ TEST_P(SpecializationTest, DrawsTheSameTwice) {
 
 // Vulkan counts what the shared module declares as used: all of it is bound, the rest to neutral textures.
 TEST_P(SpecializationTest, BindsWhatTheSharedModuleDeclares) {
-    DrawOptions options;
+    DrawOptions options = optionsFor(GetParam());
     options.shaders = Shaders::Specialized;
     const Drawing drawing = draw(shotFor(GetParam(), sideView()), options);
     EXPECT_EQ(drawing.counters.descriptorsPushed, effectTables().resources.size());
