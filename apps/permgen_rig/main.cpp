@@ -134,6 +134,14 @@ void report(const Options& options, const permgen::Effect& effect, const permgen
     if (!reported) stop(reported.error());
 }
 
+/// A technique that was renamed or taken out never passes again: its failures would stay in the report for good.
+void forgetOtherTechniques(const Options& options, const permgen::Effect& effect) {
+    if (options.report.empty()) return;
+    std::vector<std::string> names;
+    for (const permgen::Technique& technique : effect.techniques) names.emplace_back(technique.name);
+    if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done) stop(done.error());
+}
+
 bool tryOut(headless::Device& device, Studio& studio, const permgen::Effect& effect,
             const permgen::Technique& technique, const Fixture& fixture, const Options& options) {
     const GoldenStore goldens{options.goldens, options.updateGoldens, "run permgen-rig with --update-goldens"};
@@ -172,6 +180,7 @@ Status run(const Options& options) {
                device.name());
     if (!(*studio)->unsetConstants().empty())
         fmt::print("note: the fixture leaves these constants at 0: {}\n", fmt::join((*studio)->unsetConstants(), ", "));
+    forgetOtherTechniques(options, whole);
     std::size_t failed = 0;
     for (const permgen::Technique& technique : effect.techniques)
         failed += !tryOut(device, **studio, effect, technique, *fixture, options);

@@ -209,6 +209,16 @@ TEST_F(Program, ACubeMapThatIsReadIsRefusedAndOneThatIsNotIsNoMatter) {
     EXPECT_EQ(rig({sky, fixture, "--technique", "picture"}).status, 0);
 }
 
+TEST_F(Program, ATechniqueThatWasRenamedLeavesTheReport) {
+    const std::vector<std::string> words{manifest, fixture, "--goldens", goldens, "--report", folder.at("report")};
+    EXPECT_EQ(rig(words).status, 1);
+    EXPECT_NE(readText(folder.at("report/index.html")).find("<h2>picture</h2>"), std::string::npos);
+    compileEffect(folder.path(), "tint", replaced(kEffect, "technique picture", "technique painting"));
+    EXPECT_EQ(rig(words).status, 1);
+    EXPECT_EQ(readText(folder.at("report/index.html")).find("<h2>picture</h2>"), std::string::npos);
+    EXPECT_NE(readText(folder.at("report/index.html")).find("<h2>painting</h2>"), std::string::npos);
+}
+
 TEST_F(Program, AReportThatCannotBeWrittenIsSaid) {
     writeText(folder.at("file"), "");
     expectRefused({manifest, fixture, "--goldens", goldens, "--report", folder.at("file")},

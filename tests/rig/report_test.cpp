@@ -127,6 +127,21 @@ TEST(Report, APassTakesItsOwnEntryAwayAndNoOther) {
     EXPECT_EQ(count(test::readText(folder.at("index.html")), "Nothing fails"), 1u);
 }
 
+TEST(Report, TechniquesThatAreGoneAreForgottenAndThoseOfOtherEffectsAreNot) {
+    const Folder folder;
+    Failure elsewhere = failureOf("renamed");
+    elsewhere.subject.effect = "cel";
+    for (const Failure& failure : {failureOf("renamed"), failureOf("renamed", "oracle"), failureOf("lamp"), elsewhere})
+        ASSERT_TRUE(reportFailure(folder.path(), failure, nullptr, nullptr).has_value());
+    ASSERT_TRUE(reportTechniques(folder.path(), "slices", {"lamp", "new_name"}).has_value());
+    const std::string page = test::readText(folder.at("index.html"));
+    EXPECT_EQ(count(page, "<article "), 2u);
+    EXPECT_EQ(count(page, "<h2>lamp</h2>"), 1u);
+    EXPECT_EQ(count(page, "cel.fx"), 1u);
+    ASSERT_TRUE(reportTechniques(folder.at("none"), "slices", {}).has_value());
+    EXPECT_FALSE(std::filesystem::exists(folder.at("none")));
+}
+
 TEST(Report, APassMakesNoFolder) {
     const Folder folder;
     ASSERT_TRUE(reportPass(folder.at("report"), failureOf("lamp").subject).has_value());

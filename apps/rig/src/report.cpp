@@ -131,6 +131,22 @@ Outcome<void> reportPass(const std::string& folder, const Subject& subject) {
     return rebuildPage(folder);
 }
 
+Outcome<void> reportTechniques(const std::string& folder, const std::string& effect,
+                               const std::vector<std::string>& techniques) {
+    const std::string entries = (fs::path(folder) / "entries").string();
+    std::error_code error;
+    if (!fs::exists(entries, error)) return {};
+    const FolderLock lock(folder);
+    if (!lock.held()) return cannotWrite(folder, std::strerror(errno));
+    const std::vector<fs::path> gone = entriesOfOtherTechniques(entries, effect, techniques);
+    for (const fs::path& entry : gone) {
+        fs::remove_all(entry, error);
+        if (error) return cannotWrite(folder, error.message());
+    }
+    if (gone.empty()) return {};
+    return rebuildPage(folder);
+}
+
 std::string shellCommand(const std::vector<std::string>& words) {
     std::string line;
     for (const std::string& word : words) {

@@ -221,4 +221,14 @@ std::string reportPage(const std::string& entriesFolder) {
     return html + "</main></body></html>\n";
 }
 
+std::vector<fs::path> entriesOfOtherTechniques(const std::string& entriesFolder, const std::string& effect,
+                                               const std::vector<std::string>& techniques) {
+    std::vector<fs::path> others;
+    for (const Entry& entry : readEntries(entriesFolder))
+        if (text(entry.json, "effect") == effect &&
+            std::find(techniques.begin(), techniques.end(), text(entry.json, "technique")) == techniques.end())
+            others.push_back(entry.folder);
+    return others;
+}
+
 }  // namespace tyndall::rig

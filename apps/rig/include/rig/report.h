@@ -40,6 +40,11 @@ Outcome<void> reportFailure(const std::string& folder, const Failure& failure, c
 /// Makes no folder.
 Outcome<void> reportPass(const std::string& folder, const Subject& subject);
 
+/// Removes what earlier runs reported of techniques that the effect no longer has, and rebuilds the page where that
+/// was something. Makes no folder.
+Outcome<void> reportTechniques(const std::string& folder, const std::string& effect,
+                               const std::vector<std::string>& techniques);
+
 /// The folder name of the subject's entry: readable, and different for different subjects.
 std::string entryKey(const Subject& subject);
 
