@@ -254,6 +254,17 @@ TEST(Reference, SaysWhatItTookAndReached) {
     EXPECT_EQ(report["lights"][0]["name"], "Lamp");
 }
 
+TEST(Reference, StrengthsBeyondThePicturesFloatsAreTheScenes) {
+    Glb glb = openScene("none");
+    glb.json["extensions"]["KHR_lights_punctual"]["lights"][0]["intensity"] = 1e308;
+    const std::string out = freshPath("reference.exr");
+    const ProgramRun run = runTyndall({"reference", writeScene(glb), "-o", out, "--size", "8x8"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.errors.find("lower the scene's intensities"), std::string::npos) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_TRUE(neighbours(out).empty());
+}
+
 TEST(Reference, ThreadsDoNotChangeAPixel) {
     const Pixels one = computed(openScene("static"), "ideal", {"--threads", "1"});
     const Pixels five = computed(openScene("static"), "ideal", {"--threads", "5"});

@@ -114,8 +114,8 @@ Outcome<void> writePicture(const std::string& path, const Picture& picture, std:
     if (!format) return fail("{}: pictures are written as .png or .exr; change the extension", path);
     if (const BadPixels bad = findBadPixels(picture); bad.count > 0)
         return fail(
-            "{}: {} pixels are not finite numbers, the first at ({}, {}), so nothing was written; "
-            "this is a fault of the renderer, please report it with the scene",
+            "{}: {} pixels are not finite numbers, the first at ({}, {}), so nothing was written; 32-bit floats end at "
+            "3.4e38: lower the scene's intensities and densities, or report the scene where they are ordinary",
             path, bad.count, bad.x, bad.y);
     if (*format == PictureFormat::Png)
         return writeBytes(path, picture.width, picture.height, displayBytes(picture, exposureStops));
