@@ -39,8 +39,8 @@ Glb openScene(const char* shadow) {
 
 Pixels computed(const Glb& glb, const char* mode, std::vector<std::string> options = {}) {
     const std::string out = freshPath("reference.exr");
-    options.insert(options.begin(),
-                   {"reference", writeScene(glb), "-o", out, "--size", "16x16", "--mode", mode, "--shadow-size", "64"});
+    options.insert(options.begin(), {"reference", writeScene(glb), "-o", out, "--size", "16x16", "--mode", mode});
+    if (mode == std::string_view("hardware")) options.insert(options.end(), {"--shadow-size", "64"});
     const ProgramRun run = runTyndall(options);
     EXPECT_EQ(run.status, 0) << run.errors;
     return readPixels(out);
@@ -245,6 +245,7 @@ TEST(Reference, SaysWhatItTookAndReached) {
     std::ifstream file(stats);
     const auto report = nlohmann::json::parse(file);
     EXPECT_EQ(report["mode"], "ideal");
+    EXPECT_TRUE(report.contains("technique") && report["technique"].is_null());
     EXPECT_EQ(report["size"], (std::vector<int>{8, 4}));
     EXPECT_EQ(report["triangles"], 2);
     EXPECT_EQ(report["accuracy"]["asked"], 1e-6);
@@ -263,6 +264,13 @@ TEST(Reference, StrengthsBeyondThePicturesFloatsAreTheScenes) {
     EXPECT_NE(run.errors.find("lower the scene's intensities"), std::string::npos) << run.errors;
     EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
     EXPECT_TRUE(neighbours(out).empty());
+}
+
+TEST(Reference, StatisticsNameTheTechnique) {
+    const std::string name = "clip_nonoise_noshadow_cookie_technique", stats = freshPath("stats.json");
+    computed(openScene("static"), "ideal", {"--technique", name, "--stats", stats});
+    std::ifstream file(stats);
+    EXPECT_EQ(nlohmann::json::parse(file)["technique"], name);
 }
 
 TEST(Reference, ThreadsDoNotChangeAPixel) {
@@ -335,7 +343,9 @@ TEST(Reference, CommandLine) {
     refused({"-o", out, "--threads=-1"}, 2, "--threads");
     refused({"-o", out, "--threads", "5000"}, 2, "from 0 to 1024");
     refused({"-o", out, "--mode", "real"}, 2, "ideal, hardware");
-    refused({"-o", out, "--shadow-size", "0"}, 2, "--shadow-size");
+    refused({"-o", out, "--mode", "hardware", "--shadow-size", "0"}, 2, "from 1 to 16384");
+    for (const char* texels : {"1024", "64"})  // the default too, once it is asked for
+        refused({"-o", out, "--shadow-size", texels}, 2, "the ideal mode has no shadow maps");
     refused({"-o", out, "--size", "0x4"}, 2, "each side");
     refused({"-o", out, "--layer", "all"}, 2, "--layer");
     refused({"-o", out}, 1, "no such file");

@@ -54,7 +54,7 @@ Outcome<void> checkRender(RenderOptions& options, bool outputGiven);
 void addExplain(CLI::App& app, ExplainOptions& options, std::string& size);
 Outcome<void> checkShafts(const ShaftOptions& options);
 void addReference(CLI::App& app, ReferenceOptions& options, std::string& size);
-Outcome<void> checkReference(const ReferenceOptions& options);
+Outcome<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven);
 void addCompare(CLI::App& app, CompareOptions& options);
 Outcome<void> checkCompare(const CompareOptions& options);
 

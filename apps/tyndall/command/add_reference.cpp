@@ -22,7 +22,7 @@ void addReference(CLI::App& app, ReferenceOptions& options, std::string& size) {
     addOptional(app, "--stats", options.stats, "FILE.json", "what it took, and the accuracy reached");
 }
 
-Outcome<void> checkReference(const ReferenceOptions& options) {
+Outcome<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven) {
     if (options.output.empty()) return fail("-o: the picture's name is empty; give one");
     if (pictureFormat(options.output) != PictureFormat::Exr)
         return fail("-o: {} cannot hold radiance without limits; write an .exr", options.output);
@@ -32,6 +32,8 @@ Outcome<void> checkReference(const ReferenceOptions& options) {
         return fail("--threads: {} is out of bounds; take from 0 to {}", options.threads, mostThreads);
     if (options.technique)
         if (auto checked = checkTechnique(*options.technique); !checked) return checked;
+    if (shadowSizeGiven && options.mode == study::Mode::Ideal)
+        return fail("--shadow-size: the ideal mode has no shadow maps; leave it out, or add --mode hardware");
     return checkShadowSize(options.shadowSize);
 }
 

@@ -17,7 +17,7 @@ struct ReferenceRun {
     std::string device;                         ///< that drew the maps; empty in the ideal mode
 };
 
-/// For `reference --stats`.
+/// For `reference --stats`. The technique is null where each light kept its own terms.
 nlohmann::ordered_json referenceReport(const ReferenceOptions& options, const ViewedScene& viewed,
                                        const study::ReferenceImage& image, const ReferenceRun& run);
 
