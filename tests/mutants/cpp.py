@@ -73,10 +73,10 @@ def killer(folder: Path, programs: list) -> str | None:
 
 
 def run(mutants: list[Mutant], rooms: dict[str, str], folder: Path,
-        jobs: int) -> tuple[dict[str, str], list[Mutant]]:
-    """What killed each mutant, and those that nothing killed. `rooms`: by id, the data file it stands in."""
+        jobs: int) -> tuple[dict[str, str], list[Mutant], list[str]]:
+    """What killed each mutant, those that nothing killed, and why some are of no use. `rooms`: by id, the data file it stands in."""
     prepare(folder, jobs)
-    killed, survivors = {}, []
+    killed, survivors, useless = {}, [], []
     for mutant in mutants:
         start = time.monotonic()
         source = folder / mutant.file
@@ -94,6 +94,9 @@ def run(mutants: list[Mutant], rooms: dict[str, str], folder: Path,
                 by = killer(folder, [program])
                 if by:
                     break
+        except BadMutant as bad:
+            useless.append(str(bad))
+            continue
         finally:
             source.write_text(text)
         if by is None:
@@ -101,4 +104,4 @@ def run(mutants: list[Mutant], rooms: dict[str, str], folder: Path,
         else:
             killed[mutant.id] = by
         print(f"{mutant.id}: {'killed by ' + by if by else 'SURVIVED'} ({time.monotonic() - start:.1f} s)", flush=True)
-    return killed, survivors
+    return killed, survivors, useless

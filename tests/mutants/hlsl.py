@@ -37,7 +37,8 @@ def compile_effects(mutant: Mutant | None, permgen: Path, folder: Path) -> Path:
         source = shaders / f"{effect}.fx"
         if mutant and source != patched and patched.name not in source.read_text():
             continue
-        done = subprocess.run([permgen, "compile", "--freeze", source, "-o", out], capture_output=True, text=True)
+        done = subprocess.run([permgen, "compile", "--freeze", source, "-o", out], capture_output=True, text=True,
+                              timeout=SECONDS)
         if done.returncode != 0:
             raise BadMutant(f"{mutant.id if mutant else 'without a fault'}: does not compile: {done.stderr.strip()}")
     return out
@@ -59,8 +60,8 @@ def killer(mutant: Mutant | None, batches: list, permgen: Path, tests: dict[str,
     return None
 
 
-def run(mutants: list[Mutant], build: Path) -> tuple[dict[str, str], list[Mutant]]:
-    """What killed each mutant, and those that nothing killed. `build`: where CMake built permgen and the tests."""
+def run(mutants: list[Mutant], build: Path) -> tuple[dict[str, str], list[Mutant], list[str]]:
+    """What killed each mutant, those that nothing killed, and why some are of no use. `build`: where CMake built permgen and the tests."""
     permgen = build / "permgen/permgen"
     tests = {"permutation": build / "tests/permutations/tyndall_permutation_test",
              "record": build / "tests/runtime/tyndall_record_test"}
@@ -70,13 +71,17 @@ def run(mutants: list[Mutant], build: Path) -> tuple[dict[str, str], list[Mutant
     likely = sorted({batch for batches in LIKELY.values() for batch in batches})
     if by := killer(None, likely, permgen, tests):
         raise BadMutant(f"{by} fails without a fault; mend that first")
-    killed, survivors = {}, []
+    killed, survivors, useless = {}, [], []
     for mutant in mutants:
         start = time.monotonic()
-        by = killer(mutant, LIKELY[mutant.file] + ALL, permgen, tests)
+        try:
+            by = killer(mutant, LIKELY[mutant.file] + ALL, permgen, tests)
+        except BadMutant as bad:
+            useless.append(str(bad))
+            continue
         if by is None:
             survivors.append(mutant)
         else:
             killed[mutant.id] = by
         print(f"{mutant.id}: {'killed by ' + by if by else 'SURVIVED'} ({time.monotonic() - start:.1f} s)", flush=True)
-    return killed, survivors
+    return killed, survivors, useless
