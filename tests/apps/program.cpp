@@ -41,10 +41,8 @@ Running start(const std::vector<std::string>& arguments, const std::vector<std::
         dup2(open(path->c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), stream);
     for (const int each : {SIGINT, SIGTERM}) std::signal(each, SIG_DFL);  // whoever started the tests may ignore them
     // Pictures of tests come from lavapipe, whatever else the machine has.
-    std::vector<std::string> settings = {std::string("VK_DRIVER_FILES=") + lavapipe,
-                                         std::string("VK_ICD_FILENAMES=") + lavapipe};
-    settings.insert(settings.end(), environment.begin(), environment.end());
-    for (const std::string& setting : settings) {
+    for (const char* const driver : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) setenv(driver, lavapipe, 1);
+    for (const std::string& setting : environment) {
         const std::size_t equals = setting.find('=');
         setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);
     }
