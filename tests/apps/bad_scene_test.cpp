@@ -220,6 +220,8 @@ const std::vector<Breakage>& breakages() {
         {"ImageIsNoPicture",
          [](Glb& g) {
              g.json["images"] = {{{"bufferView", 0}, {"mimeType", "image/png"}}};
+             g.json["textures"] = {{{"source", 0}}};
+             lampExtras(g) = {{"cookie", 0}};
          },
          "neither PNG nor JPEG"},
         {"TextureWithoutImage",
@@ -376,6 +378,8 @@ TEST(BadSceneFile, ImageThatClaimsToBeHuge) {
     png[16] = png[20] = 0x01;  // width and height of 16 777 217
     glb.addView(png);
     glb.json["images"] = {{{"bufferView", glb.json["bufferViews"].size() - 1}, {"mimeType", "image/png"}}};
+    glb.json["textures"] = {{{"source", 0}}};
+    lampExtras(glb) = {{"cookie", 0}};
     const auto scene = app::loadScene(writeScene(glb), 0.0);
     ASSERT_FALSE(scene);
     EXPECT_NE(scene.error().find("16777217x16777217"), std::string::npos) << scene.error();

@@ -97,6 +97,85 @@ TEST(LoadScene, ExtrasSayEverythingElse) {
     EXPECT_NEAR(scene.images.at(*lamp.noise).texels[1].g, 188.0 / 255.0, 1e-6) << "noise is data, not colour";
 }
 
+/// Lamps beside the wall scene's own, each with these extras.
+void addLamps(Glb& glb, int count, const nlohmann::json& extras, int light = 0) {
+    for (int i = 0; i < count; ++i)
+        glb.addNode({{"name", "Other"},
+                     {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}},
+                     {"extras", {{"tyndall", extras}}}});
+}
+
+TEST(LoadScene, EqualConesAreBakedOnce) {
+    Glb glb = wallScene();
+    addLamps(glb, 199, nlohmann::json::object());
+    const app::Scene scene = load(glb);
+    ASSERT_EQ(scene.lights.size(), 200u);
+    EXPECT_EQ(scene.images.size(), 1u);
+    for (const app::SceneLight& lamp : scene.lights) EXPECT_EQ(lamp.cookie, 0u);
+}
+
+TEST(LoadScene, ConesThatDifferInAngleOrCookieAreBakedEachForItself) {
+    Glb glb = wallScene();  // inner 0.2, outer 0.35
+    auto& lights = glb.json["extensions"]["KHR_lights_punctual"]["lights"];
+    lights.push_back({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.35}}}});
+    lights.push_back({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.5}}}});
+    const std::size_t grey = glb.addTexture(1, 1, {188, 188, 188, 255});
+    const std::size_t white = glb.addTexture(1, 1, {255, 255, 255, 255});
+    for (const int light : {1, 2}) addLamps(glb, 2, nlohmann::json::object(), light);
+    for (const std::size_t cookie : {grey, white}) addLamps(glb, 2, {{"cookie", cookie}});
+    const app::Scene scene = load(glb);
+    ASSERT_EQ(scene.lights.size(), 9u);
+    EXPECT_EQ(scene.images.size(), 5u);
+    EXPECT_EQ(scene.slides.size(), 2u) << "what two cones each were baked into";
+    for (std::size_t lamp = 1; lamp < 9; lamp += 2) EXPECT_EQ(scene.lights[lamp].cookie, scene.lights[lamp + 1].cookie);
+    const auto centre = [&](std::size_t lamp) {
+        const app::Image& cookie = scene.images.at(*scene.lights[lamp].cookie);
+        return cookie.texels[cookie.width * (cookie.height / 2) + cookie.width / 2].r;
+    };
+    EXPECT_NEAR(centre(5), 0.5029f, 1e-4) << "sRGB 188 is about half as linear light";
+    EXPECT_FLOAT_EQ(centre(7), 1.0f);
+}
+
+TEST(LoadScene, LightsAndMeshesShareTexturesButNotEncodings) {
+    Glb glb = wallScene();
+    const std::size_t texture = glb.addTexture(1, 1, {188, 188, 188, 255});
+    glb.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}}};
+    auto& primitive = glb.json["meshes"][0]["primitives"][0];
+    primitive["material"] = 0;
+    primitive["attributes"]["TEXCOORD_0"] = glb.addFloats({0, 0, 1, 0, 1, 1, 0, 1}, "VEC2");
+    // Exporters give each user of an image a texture of its own.
+    glb.json["textures"].push_back(glb.json["textures"][texture]);
+    glb.json["nodes"][2]["extras"]["tyndall"] = {
+        {"shape", "frustum"}, {"cookie", texture + 1}, {"noise", {{"texture", texture}}}};
+    addLamps(glb, 3, glb.json["nodes"][2]["extras"]["tyndall"]);
+    const app::Scene scene = load(glb);
+    ASSERT_EQ(scene.lights.size(), 4u);
+    EXPECT_EQ(scene.images.size(), 2u) << "once as colour, once as data";
+    for (const app::SceneLight& lamp : scene.lights) {
+        EXPECT_EQ(lamp.cookie, scene.meshes.at(0).material.baseTexture);
+        EXPECT_NE(lamp.noise, lamp.cookie);
+    }
+}
+
+TEST(LoadScene, TexturesThatNothingDrawnNamesAreLeftAlone) {
+    Glb glb = wallScene();
+    const std::size_t used = glb.addTexture(1, 1, {255, 255, 255, 255});
+    glb.json["nodes"][2]["extras"]["tyndall"] = {{"shape", "frustum"}, {"cookie", used}};
+    glb.addTexture(4, 4, std::vector<std::uint8_t>(64, 200));
+    const std::size_t noPicture = glb.addView(std::vector<unsigned char>(16, 7));
+    glb.json["images"].push_back({{"bufferView", noPicture}, {"mimeType", "image/png"}});
+    glb.json["textures"].push_back({{"source", glb.json["images"].size() - 1}});
+    // A mesh with the broken texture that no node shows.
+    glb.json["materials"] = {
+        {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", glb.json["textures"].size() - 1}}}}}}};
+    glb.json["meshes"].push_back(glb.json["meshes"][0]);
+    glb.json["meshes"][1]["primitives"][0]["material"] = 0;
+    const app::Scene scene = load(glb);
+    ASSERT_EQ(scene.images.size(), 1u);
+    EXPECT_EQ(scene.images[0].width, 1u);
+    EXPECT_TRUE(scene.slides.empty());
+}
+
 TEST(LoadScene, FrustumWithoutCookieHasNone) {
     Glb glb = wallScene();
     glb.json["nodes"][2]["extras"]["tyndall"] = {{"shape", "frustum"}};

@@ -32,7 +32,7 @@ study::ReferenceScene commonPart(const ViewedScene& viewed, const ViewOptions& o
         if (light.light.cookie && source.cone && !asUploaded) {
             light.cone = study::Cone{source.cone->inner, source.cone->outer};
             light.light.cookie = source.slide.has_value();
-            if (source.slide) light.cookie = textureOf(*source.slide, asUploaded);
+            if (source.slide) light.cookie = textureOf(viewed.scene.slides[*source.slide], asUploaded);
         } else if (light.light.cookie) {
             light.cookie = textureOf(viewed.scene.images[*source.cookie], asUploaded);
         }

@@ -12,12 +12,13 @@
 namespace tyndall::app {
 
 struct Document {
-    nlohmann::json json;  ///< as written, for extras and whatever tinygltf leaves out
-    tinygltf::Model model;
-    std::string warnings;  ///< tinygltf's own, usually empty
+    nlohmann::json json;    ///< as written, for extras and whatever tinygltf leaves out
+    tinygltf::Model model;  ///< images as keepEncoded() keeps them
+    std::string warnings;   ///< tinygltf's own, usually empty
 };
 
-/// Reads `path`, .glb or .gltf by content, with the buffers and images it names.
+/// Reads `path`, .glb or .gltf by content, with the buffers and images it names. Images stay encoded: a texture
+/// that nothing draws costs no decoding, and may be broken.
 Outcome<Document> readDocument(const std::string& path);
 
 }  // namespace tyndall::app

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "cone_cookie.h"
 #include "light_extras.h"
 #include "pose.h"
 
@@ -123,22 +122,15 @@ Outcome<ReadLight> readSpotLight(const Document& document, std::size_t node, std
     if (auto done = applyAir(light, extras, place); !done) return tl::unexpected(done.error());
     read.light.movingShadow = extras.shadow == Shadow::Dynamic;
     if (extras.noise) read.noiseTexture = extras.noise->texture;
-
-    if (extras.cookie) {
-        auto image = readTexture(model, *extras.cookie, Encoding::Srgb, place + ", extras.tyndall.cookie");
-        if (!image) return tl::unexpected(image.error());
-        read.cookie = std::move(*image);
-    }
+    read.cookieTexture = extras.cookie;
     if (extras.shape == Shape::Cone) {
         const double inner = source.spot.innerConeAngle, outer = source.spot.outerConeAngle;
         if (!(inner >= 0.0 && inner <= outer))
             return fail("{}: its inner cone angle of {:g} degrees must lie between 0 and the outer one of {:g}", place,
                         inner / degree, outer / degree);
         read.light.cone = ConeAngles{inner, outer};
-        read.light.slide = std::move(read.cookie);
-        read.cookie = bakeCone(inner, outer, read.light.slide ? &*read.light.slide : nullptr);
     }
-    light.cookie = read.cookie.has_value();
+    light.cookie = read.cookieTexture || read.light.cone;
     return read;
 }
 

@@ -6,6 +6,7 @@
 #include "lights.h"
 #include "meshes.h"
 #include "pose.h"
+#include "shared_images.h"
 
 namespace tyndall::app {
 namespace {
@@ -25,7 +26,7 @@ private:
     Outcome<void> readMeshes() {
         std::map<int, std::pair<std::size_t, std::size_t>> known;  // glTF mesh: first and last of Scene::meshes
         const ColourTexture colour = [this](int texture, const std::string& user) {
-            return image(texture, Encoding::Srgb, user);
+            return images_.texture(texture, Encoding::Srgb, user);
         };
         for (std::size_t node = 0; node < model().nodes.size(); ++node) {
             const int mesh = model().nodes[node].mesh;
@@ -109,35 +110,30 @@ private:
     }
 
     Outcome<void> keep(ReadLight read) {
+        SceneLight& light = read.light;
+        const std::string place = fmt::format("light \"{}\", extras.tyndall.", light.light.name);
         if (read.noiseTexture) {
-            auto noise = image(*read.noiseTexture, Encoding::Linear,
-                               fmt::format("light \"{}\", extras.tyndall.noise", read.light.light.name));
+            auto noise = images_.texture(*read.noiseTexture, Encoding::Linear, place + "noise");
             if (!noise) return tl::unexpected(noise.error());
-            read.light.noise = *noise;
+            light.noise = *noise;
         }
-        if (read.cookie) {
-            read.light.cookie = scene_.images.size();
-            scene_.images.push_back(std::move(*read.cookie));
+        if (read.cookieTexture) {
+            auto picture = light.cone ? images_.slide(*read.cookieTexture, place + "cookie")
+                                      : images_.texture(*read.cookieTexture, Encoding::Srgb, place + "cookie");
+            if (!picture) return tl::unexpected(picture.error());
+            (light.cone ? light.slide : light.cookie) = *picture;
         }
-        scene_.lights.push_back(std::move(read.light));
+        if (light.cone) light.cookie = images_.cone(*light.cone, light.slide);
+        scene_.lights.push_back(std::move(light));
         return {};
-    }
-
-    Outcome<std::size_t> image(int texture, Encoding encoding, const std::string& user) {
-        const auto key = std::pair(texture, encoding);
-        if (const auto known = images_.find(key); known != images_.end()) return known->second;
-        auto read = readTexture(model(), texture, encoding, user);
-        if (!read) return tl::unexpected(read.error());
-        scene_.images.push_back(std::move(*read));
-        return images_[key] = scene_.images.size() - 1;
     }
 
     const tinygltf::Model& model() const { return document_.model; }
 
     const Document& document_;
     std::vector<std::optional<glm::dmat4>> poses_;
-    std::map<std::pair<int, Encoding>, std::size_t> images_;
     Scene scene_;
+    SharedImages images_{document_.model, scene_};
 };
 
 }  // namespace

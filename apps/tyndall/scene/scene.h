@@ -65,7 +65,7 @@ struct SceneLight {
     Light light;
     std::optional<std::size_t> cookie;  ///< index into Scene::images; cone falloff is baked in
     std::optional<ConeAngles> cone;     ///< what was baked in
-    std::optional<Image> slide;         ///< what it was baked into, where the light has a cookie of its own
+    std::optional<std::size_t> slide;   ///< index into Scene::slides: what it was baked into, where a cone has one
     std::optional<std::size_t> noise;   ///< index into Scene::images
     bool movingShadow = false;          ///< extras ask for a shadow map drawn anew each frame
 };
@@ -84,7 +84,8 @@ struct Bounds {
 };
 
 struct Scene {
-    std::vector<Image> images;
+    std::vector<Image> images;  ///< what is drawn with; lights and meshes share them
+    std::vector<Image> slides;  ///< what cones were baked into; never drawn with
     std::vector<Mesh> meshes;
     std::vector<MeshInstance> instances;
     std::vector<Camera> cameras;

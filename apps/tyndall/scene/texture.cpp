@@ -5,23 +5,29 @@
 #include <cstring>
 
 #include "../image/srgb.h"
+#include "decode_image.h"
 
 namespace tyndall::app {
 
-Outcome<Image> readTexture(const tinygltf::Model& model, int texture, Encoding encoding, const std::string& user) {
+Outcome<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std::string& user) {
     if (texture < 0 || static_cast<std::size_t>(texture) >= model.textures.size())
         return fail("{} names texture {}, but the file has {}, counted from 0; correct the index", user, texture,
                     model.textures.size());
     const int source = model.textures[static_cast<std::size_t>(texture)].source;
     if (source < 0) return fail("{}: texture {} has no PNG or JPEG image; export it as one", user, texture);
-    const tinygltf::Image& from = model.images[static_cast<std::size_t>(source)];
-    const std::size_t texels = from.width > 0 && from.height > 0
-                                   ? static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height)
-                                   : 0;
+    return static_cast<std::size_t>(source);
+}
+
+Outcome<Image> readImage(const tinygltf::Model& model, std::size_t source, Encoding encoding, const std::string& user) {
+    const tinygltf::Image& kept = model.images[source];
+    if (kept.image.empty())
+        return fail("{}: image {} could not be loaded; check that \"{}\" is there", user, source,
+                    kept.uri.empty() ? kept.name : kept.uri);
+    const auto decoded = decodeImage(kept, source);
+    if (!decoded) return fail("{}: {}", user, decoded.error());
+    const tinygltf::Image& from = *decoded;
+    const std::size_t texels = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
     const std::size_t channelBytes = from.bits == 16 ? 2 : 1;
-    if (texels == 0 || from.component != 4 || from.image.size() != texels * 4 * channelBytes)
-        return fail("{}: image {} of texture {} could not be loaded; check that \"{}\" is there", user, source, texture,
-                    from.uri.empty() ? from.name : from.uri);
 
     Image image;
     image.width = static_cast<std::uint32_t>(from.width);
