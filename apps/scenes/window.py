@@ -9,39 +9,25 @@ import os
 import sys
 
 import bpy
-from mathutils import Vector
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
 
-import glb  # noqa: E402
-import hall_furniture as furniture  # noqa: E402
-import hall_lights as lights  # noqa: E402
-import hall_masonry as masonry  # noqa: E402
-import textures  # noqa: E402
-from geometry import Part, place  # noqa: E402
-from materials import material, packed_image  # noqa: E402
+from hall import furniture, lights, masonry  # noqa: E402
+from kit import sample, textures  # noqa: E402
+from kit.geometry import Part  # noqa: E402
+from kit.materials import material, packed_image  # noqa: E402
 
 
 def build_cameras():
-    def camera(name, eye, target, lens):
-        data = bpy.data.cameras.new(name)
-        data.lens = lens
-        data.clip_start, data.clip_end = 0.1, 100.0
-        item = place(name, data, eye, (Vector(target) - Vector(eye)).to_track_quat("-Z", "Y").to_euler())
-        return item
-
-    hall = camera("Hall", (4.6, -3.6, 1.35), (-1.9, 8.0, 3.1), 25)
-    camera("Inside the beam", (1.5, 7.7, 1.2), (-5.0, 7.9, 3.8), 20)
-    camera("Along the arcade", (-3.5, -1.2, 1.6), (-2.3, 8.0, 2.6), 24)
+    hall = sample.camera("Hall", (4.6, -3.6, 1.35), (-1.9, 8.0, 3.1), 25)
+    sample.camera("Inside the beam", (1.5, 7.7, 1.2), (-5.0, 7.9, 3.8), 20)
+    sample.camera("Along the arcade", (-3.5, -1.2, 1.6), (-2.3, 8.0, 2.6), 24)
     bpy.context.scene.camera = hall
 
 
 def build():
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    scene = bpy.context.scene
-    scene.render.fps = furniture.FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
+    sample.begin(furniture.FRAMES_PER_SECOND)
     grain = packed_image("Stone grain", textures.stone_grain())
     stone = material("Stone", (0.44, 0.40, 0.34), grain=grain)
     shade = material("Weathered stone", (0.35, 0.31, 0.27), grain=grain)
@@ -71,25 +57,5 @@ def build():
     return lights.build_lights()
 
 
-def export(path, slides):
-    plain = path + ".part.glb"  # the exporter insists on the ending
-    bpy.ops.export_scene.gltf(filepath=plain, export_format="GLB", export_extras=True, export_cameras=True,
-                              export_lights=True, export_texcoords=True, export_yup=True, export_apply=True,
-                              export_animations=True)
-    document, binary = glb.read(plain)
-    os.remove(plain)
-    for light, (cookie, noise) in slides.items():
-        settings = glb.settings_of(document, light)
-        settings["cookie"] = glb.add_texture(document, binary, "Stained glass", cookie)
-        settings["noise"]["texture"] = glb.add_texture(document, binary, "Dust", noise)
-    glb.write(path, document, binary)
-
-
 if __name__ == "__main__":
-    arguments = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
-    if len(arguments) != 1:
-        sys.exit("usage: blender --background --python-exit-code 1 --python window.py -- OUTPUT.glb")
-    output = os.path.abspath(arguments[0])
-    if not os.access(os.path.dirname(output), os.W_OK) or os.path.isdir(output):
-        sys.exit(f"window.py: {output} cannot be written; name a file in a folder that can be written to")
-    export(output, build())
+    sample.run(build)

@@ -1,6 +1,6 @@
 """Where things stand in the hall. Metres; x from the windows across the nave, y away from the camera, z up."""
 
-from geometry import arch
+from kit.geometry import arch
 
 # Windows pierce the wall at WINDOW_WALL; the arcade divides the aisle behind it from the nave.
 WINDOW_WALL = -5.0

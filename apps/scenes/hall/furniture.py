@@ -5,8 +5,8 @@ import math
 import bpy
 from mathutils import Vector
 
-from geometry import Part, arch, bar, box, lathe, place
-from hall_plan import BACK, CENSER, CENSER_HOOK, HEIGHT, LANTERN, PORTAL
+from hall.plan import BACK, CENSER, CENSER_HOOK, HEIGHT, LANTERN, PORTAL
+from kit.geometry import Part, arch, bar, box, lathe, place
 
 FRAMES_PER_SECOND = 24
 SWING = math.radians(5)

@@ -2,8 +2,8 @@
 
 import math
 
-from geometry import Part, arch, bar, box, lathe, pierced_wall, place, tile
-from hall_plan import (ARCADE, BACK, BAY_HALF, COLUMN_TOP, COLUMNS, FRONT, HEIGHT, NAVE_WALL, PANE_HEIGHT, SILL,
+from kit.geometry import Part, arch, bar, box, lathe, pierced_wall, place, tile
+from hall.plan import (ARCADE, BACK, BAY_HALF, COLUMN_TOP, COLUMNS, FRONT, HEIGHT, NAVE_WALL, PANE_HEIGHT, SILL,
                        TRACERY, WALL_THICKNESS, WINDOW_ARCH, WINDOW_HALF, WINDOW_SPRING, WINDOW_WALL, WINDOWS)
 
 

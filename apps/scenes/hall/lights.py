@@ -2,16 +2,13 @@
 
 import math
 
-import bpy
 import numpy
 from mathutils import Vector
 
-import textures
-from geometry import place
-from hall_plan import (BACK, FRONT, LANTERN, NAVE_WALL, PANE_HEIGHT, SILL, TRACERY, WALL_THICKNESS, WINDOW_ARCH,
+from hall.plan import (BACK, FRONT, LANTERN, NAVE_WALL, PANE_HEIGHT, SILL, TRACERY, WALL_THICKNESS, WINDOW_ARCH,
                        WINDOW_HALF, WINDOW_SPRING, WINDOW_WALL, WINDOWS)
-
-LUMEN_PER_WATT = 683  # the exporter turns Blender's watts into candela with it, spread over the whole sphere
+from kit import textures
+from kit.sample import spot
 
 # Low sun through the windows: a lamp far enough away for its rays to be near parallel.
 AIM = Vector((TRACERY, 6.5, 4.3))
@@ -19,22 +16,9 @@ SUN_DISTANCE = 16.0
 ELEVATION, AZIMUTH = math.radians(35), math.radians(-14)
 SUN = Vector((math.cos(ELEVATION) * math.cos(AZIMUTH), math.cos(ELEVATION) * math.sin(AZIMUTH), -math.sin(ELEVATION)))
 
-
 # Texels of the slide, 0.06 m at the windows: glass scatters, and detail finer than a slice's share of the air only
 # shows as the slices' own pattern.
 GLASS_BLUR = 1.6
-
-
-def add_light(name, location, direction, colour, candela, cone_degrees, blend, tyndall):
-    light = bpy.data.lights.new(name, "SPOT")
-    light.color = colour
-    light.energy = candela * 4 * math.pi / LUMEN_PER_WATT
-    light.spot_size = math.radians(cone_degrees)
-    light.spot_blend = blend
-    light.shadow_soft_size = 0
-    item = place(name, light, location, direction.to_track_quat("-Z", "Y").to_euler())
-    item["tyndall"] = tyndall
-    return item
 
 
 def sun_frame():
@@ -82,17 +66,19 @@ def glass(position, rotation):
 
 def build_lights():
     position, rotation, fov, near, far = sun_frame()
-    add_light("Sun through the windows", position, SUN, (1.0, 0.80, 0.56), 1500, 60, 0.15, {
+    spot("Sun through the windows", position, SUN, (1.0, 0.80, 0.56), 1500, 60, 0.15, {
         "shape": "frustum", "fov": [round(math.degrees(a), 2) for a in fov],
         "near": round(near, 2), "far": round(far, 2), "shadow": "dynamic", "density": 0.042,
         # World space, glTF's axes: nothing outside the windows, nothing under the floor.
         "clipPlanes": [[1.0, 0.0, 0.0, -TRACERY], [0.0, 1.0, 0.0, 0.0]],
-        "noise": {"scale": [3.6, 2.0], "scroll1": [0.011, 0.006], "scroll2": [-0.008, 0.009], "gain": 1 / 0.3}})
-    add_light("Lantern light", Vector(LANTERN), Vector((0, 0, -1)), (1.0, 0.62, 0.28), 14, 84, 0.6, {
+        "noise": {"scale": [3.6, 2.0], "scroll1": [0.011, 0.006], "scroll2": [-0.008, 0.009], "gain": 1 / 0.3,
+                  "texture": "Dust"},
+        "cookie": "Stained glass"})
+    spot("Lantern light", Vector(LANTERN), Vector((0, 0, -1)), (1.0, 0.62, 0.28), 14, 84, 0.6, {
         "shape": "cone", "near": 0.1, "far": round(LANTERN[2] + 0.1, 2), "shadow": "static", "density": 0.06})
     # What the pools of light on the floor send back up. It lights surfaces alone: in air of density 0 it throws
     # no shafts, and none are simulated.
-    add_light("Bounce from the floor", Vector((0.5, 6.0, -3.0)), Vector((0, 0, 1)), (1.0, 0.84, 0.66), 5, 140, 0.5, {
+    spot("Bounce from the floor", Vector((0.5, 6.0, -3.0)), Vector((0, 0, 1)), (1.0, 0.84, 0.66), 5, 140, 0.5, {
         "shape": "cone", "near": 0.5, "far": 25.0, "shadow": "none", "density": 0.0})
     slide = textures.slide(256, fov, glass(position, rotation), GLASS_BLUR)
-    return {"Sun through the windows": (slide, textures.dust())}
+    return {"Stained glass": slide, "Dust": textures.dust()}

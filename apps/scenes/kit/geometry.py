@@ -122,6 +122,17 @@ def lathe(part, profile, segments, centre=(0, 0), slot=0):
     part.grid(rows, slot, closed=True)
 
 
+def rod(part, a, b, radius_a, radius_b, sides, slot=0):
+    """A straight rod or taper from `a` to `b`, open at its ends."""
+    a, b = Vector(a), Vector(b)
+    axis = (b - a).normalized()
+    side = axis.orthogonal().normalized()
+    up = axis.cross(side)
+    turn = [(math.cos(2 * math.pi * i / sides), math.sin(2 * math.pi * i / sides)) for i in range(sides)]
+    part.grid([[p + (side * c + up * s) * r for c, s in turn] for p, r in ((a, radius_a), (b, radius_b))], slot,
+              closed=True)
+
+
 def arch(half_width, offset, steps):
     """Points (u, rise) of an arch over [-half_width, half_width], struck from two centres `offset` beyond the
     middle: 0 is round, half_width is the equilateral pointed arch."""

@@ -1,4 +1,4 @@
-"""The two pictures that the window's light projects, as PNG bytes: drifting dust and stained glass."""
+"""Pictures as PNG bytes: drifting dust, the grain of stone and boards, and slides for lamps to project."""
 
 import struct
 import zlib
@@ -65,6 +65,17 @@ def stone_grain(size=256):
     field = 0.86 + 0.05 * billows(size, 4, 3, 5) + 0.035 * billows(size, 24, 3, 17)
     steps = numpy.rint(srgb(numpy.clip(field, 0.4, 1.0)) * 63) * (255 / 63)  # 64 greys suffice, and pack well
     return png(numpy.repeat(numpy.rint(steps)[..., None], 3, axis=2))
+
+
+def boards(size=256, planks=8):
+    """Grey planks that run up the picture, tileable: multiplies the colour of wood."""
+    random = numpy.random.RandomState(31)
+    at = numpy.arange(size) * planks / size
+    tone = 0.82 + 0.12 * random.random_sample(planks)[at.astype(int)]
+    fibre = 0.03 * random.standard_normal(size)
+    gap = numpy.where(at % 1.0 < 2.2 * planks / size, 0.45, 1.0)
+    row = numpy.rint(srgb(numpy.clip((tone + fibre) * gap, 0.0, 1.0)) * 63) * (255 / 63)
+    return png(numpy.repeat(numpy.repeat(row[None, :, None], size, axis=0), 3, axis=2))
 
 
 def srgb(linear):
