@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "outcome.h"
 
@@ -43,12 +44,16 @@ struct ShaftOptions {
     std::uint32_t shadowSize = 1024;
 };
 
+/// What --pipeline-cache takes in place of a file.
+constexpr std::string_view noPipelineCache = "none";
+
 struct RenderOptions {
     ViewOptions view;
     ShaftOptions shafts;
     std::string output;
     std::optional<double> exposure;  ///< stops; absent: from the picture
     std::optional<std::string> stats;
+    std::optional<std::string> pipelineCache;  ///< a file, or noPipelineCache; absent: the user's cache folder
     bool validate = false;
 };
 

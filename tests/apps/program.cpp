@@ -28,12 +28,21 @@ std::string contents(const std::string& path) {
     return text.str();
 }
 
+std::string userCacheFolder() {
+    if (const char* const cache = std::getenv("XDG_CACHE_HOME")) return cache;
+    const char* const home = std::getenv("HOME");
+    return home ? std::string(home) + "/.cache" : std::string();
+}
+
 struct Running {
     pid_t child;
     std::string out, err;
 };
 
 Running start(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    // What the user keeps is neither read nor changed; Mesa keeps its own where it did, or every start takes longer.
+    static const std::string cache = freshPath("cache");
+    static const std::string mesa = userCacheFolder();
     Running running{-1, freshPath("out.txt"), freshPath("err.txt")};
     running.child = fork();
     if (running.child != 0) return running;
@@ -42,6 +51,8 @@ Running start(const std::vector<std::string>& arguments, const std::vector<std::
     for (const int each : {SIGINT, SIGTERM}) std::signal(each, SIG_DFL);  // whoever started the tests may ignore them
     // Pictures of tests come from lavapipe, whatever else the machine has.
     for (const char* const driver : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) setenv(driver, lavapipe, 1);
+    setenv("MESA_SHADER_CACHE_DIR", mesa.c_str(), 0);
+    setenv("XDG_CACHE_HOME", cache.c_str(), 1);
     for (const std::string& setting : environment) {
         const std::size_t equals = setting.find('=');
         setenv(setting.substr(0, equals).c_str(), setting.substr(equals + 1).c_str(), 1);

@@ -29,6 +29,8 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size) {
     addOptional(app, "--exposure", options.exposure, "EV",
                 "stops by which a .png is brightened; from the picture's log-average");
     addOptional(app, "--stats", options.stats, "FILE.json", "what was drawn, and what it took");
+    addOptional(app, "--pipeline-cache", options.pipelineCache, "FILE",
+                "where pipelines are kept between runs, or none; tyndall/ in the user's cache folder");
     app.add_flag("--validate", options.validate, "fail on any message of Vulkan's validation layers");
 }
 
@@ -59,6 +61,8 @@ Outcome<void> checkRender(RenderOptions& options, bool outputGiven) {
     if (options.output.empty())
         options.output = std::filesystem::path(options.view.scene).stem().string() +
                          (options.view.layer == Layer::Shafts ? ".exr" : ".png");
+    if (options.pipelineCache && options.pipelineCache->empty())
+        return fail("--pipeline-cache: the file's name is empty; give one, or {}", noPipelineCache);
     const auto format = pictureFormat(options.output);
     if (!format)
         return fail("-o: {} is neither .png nor .exr; give the picture one of these extensions", options.output);

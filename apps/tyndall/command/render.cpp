@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "../image/write_picture.h"
+#include "../render/pipeline_cache_file.h"
 #include "../render/render_scene.h"
 #include "check_outputs.h"
 #include "commands.h"
@@ -10,16 +11,35 @@
 #include "report.h"
 
 namespace tyndall::app {
+namespace {
+
+/// What cannot be used as a cache is a note later on; another file's place is a mistake in the command.
+Outcome<void> checkPipelineCache(const RenderOptions& options) {
+    if (!options.pipelineCache || *options.pipelineCache == noPipelineCache) return {};
+    const std::string& cache = *options.pipelineCache;
+    const auto taken = [&cache](const std::string& by) { return sameFile(cache, by); };
+    if (taken(options.view.scene)) return fail("--pipeline-cache: {} is the scene; name another file", cache);
+    if (taken(options.output)) return fail("--pipeline-cache: {} is the picture's file; name another one", cache);
+    if (options.stats && taken(*options.stats))
+        return fail("--pipeline-cache: {} is the file of --stats; name another one", cache);
+    return {};
+}
+
+}  // namespace
 
 Outcome<Said> render(const RenderOptions& options) {
     // What can be known to fail is asked first: rendering takes seconds.
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());
+    if (auto checked = checkPipelineCache(options); !checked) return tl::unexpected(checked.error());
     auto planned = planScene(options.view, options.shafts);
     if (!planned) return tl::unexpected(planned.error());
     auto device = headless::Device::create({.validation = options.validate});
     if (!device) return fail("{}", device.error().message);
-    auto frame = renderScene(*device, *planned, options.view, options.shafts, options.stats.has_value());
+    Said said;
+    auto cache = PipelineCacheFile::open(*device, options.pipelineCache, said.notes);
+    auto frame =
+        renderScene(*device, *planned, options.view, options.shafts, options.stats.has_value(), cache.handle());
     if (!frame) return tl::unexpected(frame.error());
     if (options.validate)
         if (const auto messages = device->messages(); !messages.empty())
@@ -27,9 +47,11 @@ Outcome<Said> render(const RenderOptions& options) {
 
     if (auto written = writePicture(options.output, frame->picture, options.exposure); !written)
         return tl::unexpected(written.error());
-    Said said;
+    cache.save(said.notes);
     if (options.stats) {
-        const auto report = frameReport(*planned, options.view, options.shafts, frame->statistics, device->name());
+        auto report = frameReport(*planned, options.view, options.shafts, frame->statistics, device->name());
+        report["pipelineCache"] = {
+            {"file", cache.path()}, {"bytesLoaded", cache.bytesLoaded()}, {"bytesWritten", cache.bytesWritten()}};
         if (auto written = writeText(*options.stats, jsonText(report)); !written)
             return tl::unexpected(written.error());
     }

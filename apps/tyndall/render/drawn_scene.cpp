@@ -20,8 +20,8 @@ Outcome<headless::Image> makeTarget(const headless::Device& device, Size size, V
 }
 
 Outcome<void> drawSurfaces(const headless::Device& device, const ViewedScene& viewed, std::uint32_t shadowSize,
-                           bool lit, DrawnScene& drawn) {
-    auto pipelines = surfacePipelines(device);
+                           bool lit, VkPipelineCache cache, DrawnScene& drawn) {
+    auto pipelines = surfacePipelines(device, cache);
     if (!pipelines) return tl::unexpected(pipelines.error());
     auto pass = prepareSurfaces(device, *pipelines, colourFormat, depthFormat, viewed.scene, drawn.gpu, viewed.view,
                                 viewed.lights, drawn.maps.views, shadowSize, lit);
@@ -47,7 +47,7 @@ Outcome<void> drawSurfaces(const headless::Device& device, const ViewedScene& vi
 }  // namespace
 
 Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed, Size size,
-                              std::uint32_t shadowSize, bool lit) {
+                              std::uint32_t shadowSize, bool lit, VkPipelineCache cache) {
     DrawnScene drawn;
     auto gpu = uploadScene(device, viewed.scene);
     if (!gpu) return tl::unexpected(gpu.error());
@@ -62,7 +62,8 @@ Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer
     auto maps = drawShadowMaps(device, renderer, drawn.shadowData, viewed.lights, drawn.gpu, shadowSize);
     if (!maps) return tl::unexpected(maps.error());
     drawn.maps = std::move(*maps);
-    if (auto done = drawSurfaces(device, viewed, shadowSize, lit, drawn); !done) return tl::unexpected(done.error());
+    if (auto done = drawSurfaces(device, viewed, shadowSize, lit, cache, drawn); !done)
+        return tl::unexpected(done.error());
     return drawn;
 }
 

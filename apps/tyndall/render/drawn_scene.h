@@ -24,9 +24,10 @@ struct DrawnScene {
     FrameData shadowData;  ///< what the shadow maps were drawn with
 };
 
-/// Without `lit`, surfaces are black and only hide what is behind them.
+/// Without `lit`, surfaces are black and only hide what is behind them. Their pipelines are made with `cache`, which
+/// may be null.
 Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed, Size size,
-                              std::uint32_t shadowSize, bool lit);
+                              std::uint32_t shadowSize, bool lit, VkPipelineCache cache = VK_NULL_HANDLE);
 
 /// A depth image's values, rows from the top. It is in `layout`, and stays in it.
 Outcome<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,

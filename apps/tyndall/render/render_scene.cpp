@@ -103,10 +103,10 @@ Outcome<Picture> readPicture(const headless::Device& device, const headless::Ima
 }  // namespace
 
 Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned, const ViewOptions& view,
-                           const ShaftOptions& shafts, bool measure) {
-    auto renderer = Renderer::create({device.physicalDevice(), device.device(), VK_NULL_HANDLE});
+                           const ShaftOptions& shafts, bool measure, VkPipelineCache cache) {
+    auto renderer = Renderer::create({device.physicalDevice(), device.device(), cache});
     if (!renderer) return fail("{}", renderer.error().message);
-    auto drawn = drawScene(device, *renderer, planned, view.size, shafts.shadowSize, view.layer == Layer::All);
+    auto drawn = drawScene(device, *renderer, planned, view.size, shafts.shadowSize, view.layer == Layer::All, cache);
     if (!drawn) return tl::unexpected(drawn.error());
     auto accumulation = passOn(
         headless::Image::create(device, {.extent = drawn->colour.extent(),

@@ -26,8 +26,9 @@ struct Frame {
 };
 
 /// Draws `planned` (whose plan is made anew once the depth of the scene is known). `measure` adds the
-/// slices twice and times the second, so that no compilation is in the figure.
+/// slices twice and times the second, so that no compilation is in the figure. Pipelines are made with `cache`,
+/// which may be null.
 Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned, const ViewOptions& view,
-                           const ShaftOptions& shafts, bool measure);
+                           const ShaftOptions& shafts, bool measure, VkPipelineCache cache = VK_NULL_HANDLE);
 
 }  // namespace tyndall::app

@@ -108,8 +108,8 @@ std::string lightTechnique(bool shadow, bool cookie, bool texture) {
 
 }  // namespace
 
-Outcome<PassPipelines> surfacePipelines(const headless::Device& device) {
-    auto pipelines = PassPipelines::create({device.physicalDevice(), device.device()}, scene_effect::effect);
+Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache) {
+    auto pipelines = PassPipelines::create({device.physicalDevice(), device.device(), cache}, scene_effect::effect);
     if (!pipelines) return fail("the surfaces: {}", pipelines.error().message);
     return std::move(*pipelines);
 }

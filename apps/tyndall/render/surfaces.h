@@ -34,8 +34,8 @@ struct SurfacePass {
     std::vector<SurfaceDraw> draws;
 };
 
-/// The pipelines of scene.fx.
-Outcome<PassPipelines> surfacePipelines(const headless::Device& device);
+/// The pipelines of scene.fx, made with `cache`, which may be null.
+Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache);
 
 /// Prepares one base draw and one draw a light for each instance; without `lit`, surfaces are black and
 /// only hide what is behind them. `shadowMaps` holds a view for each light, null where it has none. The
