@@ -1,7 +1,7 @@
 // Adds the slices of a group's lights up in the accumulation target.
 #include "barriers.h"
 #include "effect_contract.h"
-#include "renderer_impl.h"
+#include "renderer_pipelines.h"
 #include "rendering.h"
 
 namespace tyndall {
@@ -40,13 +40,9 @@ Result<void> resolve(Renderer::Impl& impl, const Plan& plan, const CompositeGrou
     for (const std::size_t index : group.lights) {
         if (auto checked = checkLight(plan, index, textures.size()); !checked) return checked;
         const PlannedLight& light = plan.lights[index];
-        const permgen::Technique* technique = permgen::find_technique(*impl.slices, light.technique);
-        if (!technique)
-            return invalidArgument("slices.fx has no technique " + std::string(light.technique) +
-                                   "; techniqueName() gives those that exist");
-        const auto pipeline =
-            pipelineFor(impl.gpu, impl.pipelines, *impl.slices, technique->passes[0], impl.gpu.shaders, target,
-                        slicesContract().elements, impl.counters.pipelinesCreated);
+        const auto request = slicePipeline(impl, light.technique, target);
+        if (!request) return tl::unexpected(request.error());
+        const auto pipeline = pipelineFor(impl.gpu, impl.pipelines, *request, impl.counters.pipelinesCreated);
         if (!pipeline) return tl::unexpected(pipeline.error());
 
         Renderer::Impl::LightDraw draw{&light, *pipeline, {}};
@@ -128,9 +124,8 @@ Result<void> Renderer::recordAccumulation(VkCommandBuffer commands, FrameData& f
     if (auto checked = checkRecording(**data, plan, group, targets); !checked) return checked;
     const UploadedPlan& uploaded = *(*data)->plan;
 
-    const PassTarget target{.colours = {accumulationFormat(plan.accumulation)},
-                            .depth = targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED,
-                            .compare = targets.depthCompare};
+    const PassTarget target = accumulationTarget(
+        plan.accumulation, targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED, targets.depthCompare);
     bool neutral = false;
     if (auto resolved = resolve(*impl_, plan, plan.groups[group], textures, target, neutral); !resolved)
         return resolved;

@@ -2,16 +2,11 @@
 #include "barriers.h"
 #include "composite_data.h"
 #include "effect_contract.h"
-#include "renderer_impl.h"
+#include "renderer_pipelines.h"
 #include "rendering.h"
 
 namespace tyndall {
 namespace {
-
-std::string_view techniqueFor(bool routed, bool blur) {
-    if (routed) return blur ? "routed_blur_technique" : "routed_noblur_technique";
-    return blur ? "plain_blur_technique" : "plain_noblur_technique";
-}
 
 /// The blur measures in reversed depth; a caller whose nearer surfaces have the smaller depth gets it turned round.
 bool isReversed(VkCompareOp compare) {
@@ -56,13 +51,10 @@ Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& fram
         return invalidArgument("the blur needs the scene's depth, which the targets lack; give it or switch blur off");
     if (!(plan.scale > 0.0)) return invalidArgument("the plan's scale is not above 0; use the plan as plan() made it");
 
-    const bool routed = plan.accumulation == Accumulation::Rgba8Routed;
-    const permgen::Technique* technique =
-        permgen::find_technique(*impl_->composite, techniqueFor(routed, targets.blur));
     RendererCounters& counters = impl_->counters;
-    const auto pipeline =
-        pipelineFor(impl_->gpu, impl_->pipelines, *impl_->composite, technique->passes[0], Shaders::Frozen,
-                    {.colours = {targets.colourFormat}}, compositeContract().elements, counters.pipelinesCreated);
+    const auto pipeline = pipelineFor(impl_->gpu, impl_->pipelines,
+                                      compositePipeline(*impl_, plan.accumulation, targets.blur, targets.colourFormat),
+                                      counters.pipelinesCreated);
     if (!pipeline) return tl::unexpected(pipeline.error());
     const auto constants = placeValue(data, constantsFor(plan, plan.groups[group], targets), counters);
     if (!constants) return tl::unexpected(constants.error());

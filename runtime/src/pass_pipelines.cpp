@@ -66,7 +66,7 @@ Result<PassPipelines> PassPipelines::create(const DeviceContext& context, const 
 Result<PassPipeline> PassPipelines::get(const permgen::Pass& pass, const PassTarget& target,
                                         std::span<const VertexElement> elements) {
     Impl& impl = *impl_;
-    const auto pipeline = pipelineFor(impl.gpu, impl.store, *impl.effect, pass, impl.gpu.shaders, target, elements,
+    const auto pipeline = pipelineFor(impl.gpu, impl.store, {impl.effect, &pass, impl.gpu.shaders, target, elements},
                                       impl.pipelinesCreated);
     if (!pipeline) return pipeline;
     for (const permgen::Resource* resource : pipeline->layout->bound)

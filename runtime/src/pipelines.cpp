@@ -1,32 +1,13 @@
 #include "pipelines.h"
 
-#include <array>
+#include <atomic>
+#include <deque>
+#include <optional>
 
-#include "shader_stages.h"
-#include "states.h"
+#include "create_pipeline.h"
 
 namespace tyndall {
 namespace {
-
-Result<void> checkFormats(const Gpu& gpu, const PassTarget& target, bool blends) {
-    VkFormatProperties properties;
-    for (const VkFormat colour : target.colours) {
-        if (colour == VK_FORMAT_UNDEFINED) continue;
-        const VkFormatFeatureFlags needed =
-            blends ? VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT : VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
-        vkGetPhysicalDeviceFormatProperties(gpu.physicalDevice, colour, &properties);
-        if (!(properties.optimalTilingFeatures & needed))
-            return unsupported("the device cannot " + std::string(blends ? "blend into" : "draw to") +
-                               " the colour format " + formatName(colour) + "; use another one");
-    }
-    if (target.depth != VK_FORMAT_UNDEFINED) {
-        vkGetPhysicalDeviceFormatProperties(gpu.physicalDevice, target.depth, &properties);
-        if (!(properties.optimalTilingFeatures & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
-            return unsupported("the device cannot use " + formatName(target.depth) +
-                               " as a depth format; use another one");
-    }
-    return {};
-}
 
 const VertexElement* elementOf(const permgen::Attribute& attribute, std::span<const VertexElement> elements) {
     for (const VertexElement& element : elements)
@@ -63,93 +44,6 @@ bool madeOf(std::span<const VkVertexInputAttributeDescription> attributes, const
     return true;
 }
 
-Result<VkPipeline> createPipeline(const Gpu& gpu, const PassLayout& layout, Shaders shaders, const PassTarget& target,
-                                  std::span<const VkVertexInputAttributeDescription> attributes) {
-    const permgen::Pass& pass = *layout.pass;
-    const auto states = passStates(pass.states);
-    if (!states) return tl::unexpected(states.error());
-    if (auto checked = checkFormats(gpu, target, states->blend.blendEnable == VK_TRUE); !checked)
-        return tl::unexpected(checked.error());
-    ShaderStages stages(gpu);
-    if (auto loaded = stages.load(pass, shaders); !loaded) return tl::unexpected(loaded.error());
-
-    const VkVertexInputBindingDescription binding{0, 0, VK_VERTEX_INPUT_RATE_VERTEX};
-    VkPipelineVertexInputStateCreateInfo vertexInput{};
-    vertexInput.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-    vertexInput.vertexBindingDescriptionCount = 1;
-    vertexInput.pVertexBindingDescriptions = &binding;
-    vertexInput.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
-    vertexInput.pVertexAttributeDescriptions = attributes.data();
-
-    VkPipelineInputAssemblyStateCreateInfo assembly{};
-    assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-    assembly.topology = target.topology;
-
-    VkPipelineViewportStateCreateInfo viewport{};
-    viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
-    viewport.viewportCount = 1;
-    viewport.scissorCount = 1;
-
-    VkPipelineRasterizationStateCreateInfo raster{};
-    raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
-    raster.cullMode = states->cull;
-    raster.frontFace = VK_FRONT_FACE_CLOCKWISE;
-    raster.lineWidth = 1.0f;
-
-    VkPipelineMultisampleStateCreateInfo multisample{};
-    multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
-    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-
-    VkPipelineDepthStencilStateCreateInfo depth{};
-    depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-    depth.depthTestEnable = states->depthTest && target.depth != VK_FORMAT_UNDEFINED;
-    depth.depthWriteEnable = states->depthWrite && depth.depthTestEnable;
-    depth.depthCompareOp = states->depthCompare.value_or(target.compare);
-
-    std::uint32_t colours = 0;
-    for (std::uint32_t i = 0; i < target.colours.size(); ++i)
-        if (target.colours[i] != VK_FORMAT_UNDEFINED) colours = i + 1;
-    std::array<VkPipelineColorBlendAttachmentState, std::tuple_size_v<decltype(target.colours)>> blends{};
-    blends.fill(states->blend);
-    VkPipelineColorBlendStateCreateInfo blend{};
-    blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
-    blend.attachmentCount = colours;
-    blend.pAttachments = blends.data();
-
-    constexpr std::array dynamicStates{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                       VK_DYNAMIC_STATE_VERTEX_INPUT_BINDING_STRIDE, VK_DYNAMIC_STATE_CULL_MODE,
-                                       VK_DYNAMIC_STATE_FRONT_FACE};
-    VkPipelineDynamicStateCreateInfo dynamic{};
-    dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-    dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamicStates.size()) - (target.dynamicCulling ? 0 : 2);
-    dynamic.pDynamicStates = dynamicStates.data();
-
-    VkPipelineRenderingCreateInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
-    rendering.colorAttachmentCount = colours;
-    rendering.pColorAttachmentFormats = target.colours.data();
-    rendering.depthAttachmentFormat = target.depth;
-
-    VkGraphicsPipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
-    info.pNext = &rendering;
-    info.stageCount = stages.count();
-    info.pStages = stages.data();
-    info.pVertexInputState = &vertexInput;
-    info.pInputAssemblyState = &assembly;
-    info.pViewportState = &viewport;
-    info.pRasterizationState = &raster;
-    info.pMultisampleState = &multisample;
-    info.pDepthStencilState = &depth;
-    info.pColorBlendState = &blend;
-    info.pDynamicState = &dynamic;
-    info.layout = layout.pipeline;
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult result = vkCreateGraphicsPipelines(gpu.device, gpu.pipelineCache, 1, &info, nullptr, &pipeline);
-    if (result != VK_SUCCESS) return vulkanError("vkCreateGraphicsPipelines", result);
-    return pipeline;
-}
-
 /// How messages call the pass: by its technique, and by its number where that has several. Empty where it is
 /// none of the effect's.
 std::string passName(const permgen::Effect& effect, const permgen::Pass& pass) {
@@ -166,34 +60,133 @@ tl::unexpected<Error> within(const std::string& name, Error error) {
     return tl::unexpected(std::move(error));
 }
 
-}  // namespace
+/// All that a pipeline is made of, once what several share is there.
+struct Draft {
+    const PassLayout* layout = nullptr;
+    Shaders shaders = Shaders::Frozen;
+    PassTarget target;
+    std::vector<VkVertexInputAttributeDescription> attributes;
+    std::string name;
+};
 
-Result<PassPipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
-                                 const permgen::Pass& pass, Shaders shaders, const PassTarget& target,
-                                 std::span<const VertexElement> elements, std::uint64_t& created) {
-    const auto known = store.pipelines.find({&pass, target});
-    if (known != store.pipelines.end())
-        for (const PipelineStore::Entry& entry : known->second)
-            if (madeOf(entry.attributes, *pass.vertex.module, elements)) return entry.pipeline;
+const PassPipeline* find(const PipelineStore& store, const PipelineRequest& request) {
+    const auto known = store.pipelines.find({request.pass, request.target});
+    if (known == store.pipelines.end()) return nullptr;
+    for (const PipelineStore::Entry& entry : known->second)
+        if (madeOf(entry.attributes, *request.pass->vertex.module, request.elements)) return &entry.pipeline;
+    return nullptr;
+}
 
-    const std::string name = passName(effect, pass);
+/// Makes the pass's layout where the store lacks it.
+Result<Draft> draft(const Gpu& gpu, PipelineStore& store, const PipelineRequest& request) {
+    const permgen::Pass& pass = *request.pass;
+    const std::string name = passName(*request.effect, pass);
     if (name.empty())
-        return invalidArgument("the pass is none of the effect " + std::string(effect.name) + "; give one of its own");
+        return invalidArgument("the pass is none of the effect " + std::string(request.effect->name) +
+                               "; give one of its own");
     if (!pass.vertex.module) return invalidArgument(name + ": the pass has no vertex shader; give it one");
-    auto attributes = vertexAttributes(gpu, *pass.vertex.module, elements);
+    auto attributes = vertexAttributes(gpu, *pass.vertex.module, request.elements);
     if (!attributes) return within(name, attributes.error());
     auto layout = store.layouts.find(&pass);
     if (layout == store.layouts.end()) {
-        auto made = createLayout(gpu, pass, boundResources(effect, pass, shaders), name);
+        auto made = createLayout(gpu, pass, boundResources(*request.effect, pass, request.shaders), name);
         if (!made) return tl::unexpected(made.error());
         layout = store.layouts.emplace(&pass, std::move(*made)).first;
     }
-    const auto handle = createPipeline(gpu, layout->second, shaders, target, *attributes);
-    if (!handle) return within(name, handle.error());
-    setName(gpu, VK_OBJECT_TYPE_PIPELINE, *handle, name);
+    return Draft{&layout->second, request.shaders, request.target, std::move(*attributes), name};
+}
+
+/// Safe to call from several threads at once, as createPipeline().
+Result<VkPipeline> make(const Gpu& gpu, const Draft& draft) {
+    const auto handle = createPipeline(gpu, *draft.layout, draft.shaders, draft.target, draft.attributes);
+    if (!handle) return within(draft.name, handle.error());
+    setName(gpu, VK_OBJECT_TYPE_PIPELINE, *handle, draft.name);
+    return handle;
+}
+
+PassPipeline keep(PipelineStore& store, Draft&& draft, VkPipeline handle) {
+    auto& entries = store.pipelines[{draft.layout->pass, draft.target}];
+    return entries.emplace_back(PipelineStore::Entry{std::move(draft.attributes), {handle, draft.layout}}).pipeline;
+}
+
+/// What several threads make, each into a slot of its own; destroys what nobody has taken when an exception comes
+/// in between.
+struct Made {
+    struct Slot {
+        std::atomic_flag claimed;  ///< by the one call that makes it, should the loop make two
+        std::optional<Result<VkPipeline>> result;
+    };
+    const Gpu& gpu;
+    std::deque<Slot> slots;  // an atomic flag cannot be moved
+
+    Made(const Gpu& device, std::size_t count) : gpu(device), slots(count) {}
+    Made(const Made&) = delete;
+    Made& operator=(const Made&) = delete;
+    ~Made() {
+        for (const Slot& slot : slots)
+            if (slot.result && *slot.result) vkDestroyPipeline(gpu.device, **slot.result, nullptr);
+    }
+};
+
+bool drafted(std::span<const Draft> drafts, const PipelineRequest& request) {
+    for (const Draft& other : drafts)
+        if (other.layout->pass == request.pass && other.target == request.target &&
+            madeOf(other.attributes, *request.pass->vertex.module, request.elements))
+            return true;
+    return false;
+}
+
+}  // namespace
+
+Result<PassPipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const PipelineRequest& request,
+                                 std::uint64_t& created) {
+    if (const PassPipeline* known = find(store, request)) return *known;
+    auto ready = draft(gpu, store, request);
+    if (!ready) return tl::unexpected(ready.error());
+    const auto handle = make(gpu, *ready);
+    if (!handle) return tl::unexpected(handle.error());
     ++created;
-    auto& entries = store.pipelines[{&pass, target}];
-    return entries.emplace_back(PipelineStore::Entry{std::move(*attributes), {*handle, &layout->second}}).pipeline;
+    return keep(store, std::move(*ready), *handle);
+}
+
+Result<void> makePipelines(const Gpu& gpu, PipelineStore& store, std::span<const PipelineRequest> requests,
+                           const ParallelFor& parallel, std::uint64_t& created) {
+    std::vector<Draft> drafts;
+    Result<void> outcome;
+    for (const PipelineRequest& request : requests) {
+        if (find(store, request) || drafted(drafts, request)) continue;
+        auto ready = draft(gpu, store, request);
+        if (ready)
+            drafts.push_back(std::move(*ready));
+        else if (outcome)
+            outcome = tl::unexpected(ready.error());
+    }
+
+    Made made(gpu, drafts.size());
+    const std::function<void(std::size_t)> job = [&](std::size_t i) {
+        if (i < drafts.size() && !made.slots[i].claimed.test_and_set()) made.slots[i].result = make(gpu, drafts[i]);
+    };
+    if (drafts.empty()) return outcome;
+    if (parallel)
+        parallel(drafts.size(), job);
+    else
+        for (std::size_t i = 0; i < drafts.size(); ++i) job(i);
+
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        std::optional<Result<VkPipeline>>& result = made.slots[i].result;
+        if (!result) {
+            if (outcome)
+                outcome = invalidArgument("the parallel loop left out pipeline " + std::to_string(i) + " of " +
+                                          std::to_string(drafts.size()) + "; it must call every job once");
+        } else if (!*result) {
+            if (outcome) outcome = tl::unexpected(result->error());
+        } else {
+            keep(store, std::move(drafts[i]), **result);
+            result.reset();
+            ++created;
+        }
+    }
+    return outcome;
 }
 
 void destroyPipelines(const Gpu& gpu, PipelineStore& store) {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "effect_contract.h"
-#include "renderer_impl.h"
+#include "renderer_pipelines.h"
 #include "rendering.h"
 
 namespace tyndall {
@@ -41,11 +41,8 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
     if (!data) return tl::unexpected(data.error());
     if (auto checked = checkShadowMap(light, occluders, map, size); !checked) return checked;
     RendererCounters& counters = impl_->counters;
-    const EffectContract& contract = shadowMapContract();
-    const permgen::Technique* technique = permgen::find_technique(*impl_->shadowMap, contract.techniques[0]);
     const auto pipeline =
-        pipelineFor(impl_->gpu, impl_->pipelines, *impl_->shadowMap, technique->passes[0], Shaders::Frozen,
-                    {.depth = format, .compare = VK_COMPARE_OP_GREATER}, contract.elements, counters.pipelinesCreated);
+        pipelineFor(impl_->gpu, impl_->pipelines, shadowMapPipeline(*impl_, format), counters.pipelinesCreated);
     if (!pipeline) return tl::unexpected(pipeline.error());
 
     // Cleared to 0, the far plane: depth is reversed.

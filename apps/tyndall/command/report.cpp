@@ -79,11 +79,13 @@ nlohmann::ordered_json frameReport(const PlannedScene& planned, const ViewOption
     if (statistics.fragmentsKnown) report["fragmentInvocations"] = statistics.fragments;
     report["pipelinesCreated"] = {{"shafts", statistics.shafts.pipelinesCreated},
                                   {"surfaces", statistics.surfacePipelines}};
+    report["pipelinesPrepared"] = statistics.shafts.pipelinesPrepared;
     report["memory"] = {{"deviceBytes", statistics.deviceBytes},
                         {"frameDataBytes", statistics.frameDataBytes},
                         {"bytesUploaded", statistics.shafts.bytesUploaded},
                         {"peakResidentBytes", peakResidentBytes()}};
-    report["milliseconds"] = {{"shadowMaps", milliseconds(statistics.shadowMaps)},
+    report["milliseconds"] = {{"pipelines", milliseconds(statistics.pipelines)},
+                              {"shadowMaps", milliseconds(statistics.shadowMaps)},
                               {"surfaces", milliseconds(statistics.surfaces)},
                               {"accumulate", milliseconds(statistics.accumulate)},
                               {"composite", milliseconds(statistics.composite)}};

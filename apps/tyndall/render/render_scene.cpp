@@ -5,8 +5,10 @@
 #include <headless/statistics.h>
 #include <tyndall/renderer.h>
 
+#include <chrono>
 #include <cstring>
 
+#include "all_cores.h"
 #include "drawn_scene.h"
 #include "pass_on.h"
 
@@ -38,12 +40,15 @@ std::vector<LightTextures> lightTextures(const Scene& scene, const DrawnScene& d
     return textures;
 }
 
+/// Eight bits leave steps between the slices, which a blur hides.
+bool isBlurred(const Plan& plan) {
+    return plan.accumulation == Accumulation::Rgba8 || plan.accumulation == Accumulation::Rgba8Routed;
+}
+
 Outcome<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame,
                          const PlannedScene& planned, const DrawnScene& drawn, const headless::Image& accumulation,
                          bool measure, FrameStatistics& statistics) {
     const std::vector<LightTextures> textures = lightTextures(planned.scene, drawn);
-    const bool eightBits =
-        planned.plan.accumulation == Accumulation::Rgba8 || planned.plan.accumulation == Accumulation::Rgba8Routed;
     const ShaftTargets shafts{.extent = drawn.colour.extent(),
                               .accumulation = accumulation.handle(),
                               .accumulationView = accumulation.view(),
@@ -51,7 +56,7 @@ Outcome<void> drawShafts(const headless::Device& device, Renderer& renderer, Fra
                               .depthFormat = depthFormat,
                               .colour = drawn.colour.view(),
                               .colourFormat = colourFormat,
-                              .blur = eightBits};
+                              .blur = isBlurred(planned.plan)};
     headless::FragmentCounter counter;
     statistics.fragmentsKnown = measure && device.hasPipelineStatistics();
     if (statistics.fragmentsKnown) {
@@ -90,6 +95,23 @@ Outcome<void> drawShafts(const headless::Device& device, Renderer& renderer, Fra
     return {};
 }
 
+/// All that drawShafts() will draw with, on all cores.
+Outcome<void> preparePipelines(Renderer& renderer, const Plan& plan, FrameStatistics& statistics) {
+    std::vector<std::string_view> techniques;
+    for (const PlannedLight& light : plan.lights)
+        if (light.drawn) techniques.push_back(light.technique);
+    const auto start = std::chrono::steady_clock::now();
+    auto prepared = passOn(renderer.prepare({.techniques = techniques,
+                                             .accumulation = plan.accumulation,
+                                             .depthFormat = depthFormat,
+                                             .colourFormat = colourFormat,
+                                             .blur = isBlurred(plan)},
+                                            onAllCores),
+                           "the shafts");
+    statistics.pipelines = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return prepared;
+}
+
 Outcome<Picture> readPicture(const headless::Device& device, const headless::Image& colour) {
     const auto bytes = headless::readback(device, colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     if (!bytes) return fail("the picture could not be read back: {}", bytes.error().message);
@@ -120,6 +142,8 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
     if (!depth) return tl::unexpected(depth.error());
     if (auto done = planAgain(planned, *depth, view, shafts); !done) return tl::unexpected(done.error());
     Frame frame;
+    if (auto done = preparePipelines(*renderer, planned.plan, frame.statistics); !done)
+        return tl::unexpected(done.error());
     FrameData shaftData;
     if (auto done = passOn(renderer->upload(shaftData, planned.plan), "the slices"); !done)
         return tl::unexpected(done.error());
@@ -130,6 +154,7 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
     frame.statistics.shadowMaps = drawn->maps.milliseconds;
     frame.statistics.surfaces = drawn->surfaces;
     frame.statistics.shafts.pipelinesCreated = renderer->counters().pipelinesCreated;
+    frame.statistics.shafts.pipelinesPrepared = renderer->counters().pipelinesPrepared;
     frame.statistics.shafts.bytesUploaded = renderer->counters().bytesUploaded;
     frame.statistics.surfaceDraws = drawn->surfaceDraws;
     frame.statistics.surfacePipelines = drawn->surfacePipelines;

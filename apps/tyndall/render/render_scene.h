@@ -11,6 +11,7 @@ namespace tyndall::app {
 
 /// What a frame took. Times in milliseconds from submission to fence, by the host's clock.
 struct FrameStatistics {
+    double pipelines = 0.0;  ///< making the shafts' pipelines
     double shadowMaps = 0.0, surfaces = 0.0, accumulate = 0.0, composite = 0.0;
     std::uint64_t fragments = 0;  ///< shaded while slices were added, rounded up by some drivers
     bool fragmentsKnown = false;  ///< false where the device does not count

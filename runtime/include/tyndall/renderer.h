@@ -6,6 +6,7 @@
 #pragma once
 
 #include <tyndall/device.h>
+#include <tyndall/parallel.h>
 #include <tyndall/plan.h>
 #include <tyndall/result.h>
 #include <vulkan/vulkan_core.h>
@@ -54,10 +55,22 @@ struct Occluder {
     glm::dmat4 worldFromMesh{1.0};
 };
 
+/// What will be recorded, as far as pipelines depend on it.
+struct PipelineNeeds {
+    std::span<const std::string_view> techniques;  ///< of slices.fx, those of the lights to be drawn; may repeat
+    Accumulation accumulation = Accumulation::Rgba16f;
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED where its depth will be null
+    VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
+    VkFormat colourFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED: nothing is composited
+    bool blur = false;
+    VkFormat shadowMapFormat = VK_FORMAT_UNDEFINED;  ///< UNDEFINED: no shadow map is drawn
+};
+
 /// Counts of what one Renderer recorded and made, since it was created.
 struct RendererCounters {
     std::uint64_t draws = 0, slicesDrawn = 0, descriptorsPushed = 0, pipelinesCreated = 0, bytesUploaded = 0;
     std::uint64_t neutralTexturesCreated = 0;
+    std::uint64_t pipelinesPrepared = 0;  ///< of pipelinesCreated, those that prepare() made
 };
 
 /// GPU memory that one frame in flight needs: vertices, indices, constants. Grows as needed, never
@@ -88,9 +101,17 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();  ///< the GPU must have finished with everything recorded
 
+    /// Makes the pipelines that are needed and not there yet, each once, so that recording makes none: one for each
+    /// technique, one to composite where there is a technique, one for shadow maps. `parallel`, where given, lends
+    /// the threads: device.pipelineCache must then not be externally synchronized
+    /// (VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT), and everything else of this Renderer waits.
+    /// Errors: InvalidArgument for a technique that slices.fx does not have, and where `parallel` leaves jobs out;
+    /// UnsupportedDevice where the device cannot draw to a format; Vulkan. What could be made is kept then.
+    Result<void> prepare(const PipelineNeeds& needs, const ParallelFor& parallel = {});
+
     // Every function below that can fail answers InvalidArgument where its arguments break what is stated
-    // here, UnsupportedDevice where the device cannot draw to a format, and Vulkan. Pipelines are made on
-    // first use, within the recording functions.
+    // here, UnsupportedDevice where the device cannot draw to a format, and Vulkan. Pipelines that
+    // prepare() did not make are made on first use, within the recording functions.
 
     /// Starts a frame: forgets what `frame` held, shadow maps recorded with it included, and uploads the
     /// plan's vertices, indices and constants. So it comes first in a frame.

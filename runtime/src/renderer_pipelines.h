@@ -1,0 +1,18 @@
+// Which pipeline each of a Renderer's passes draws with: one answer for recording and for making them ahead.
+#pragma once
+
+#include "renderer_impl.h"
+
+namespace tyndall {
+
+/// `depth` UNDEFINED: no depth test.
+PassTarget accumulationTarget(Accumulation accumulation, VkFormat depth, VkCompareOp compare);
+
+/// Errors: InvalidArgument for a technique that slices.fx does not have.
+Result<PipelineRequest> slicePipeline(const Renderer::Impl& impl, std::string_view technique, const PassTarget& target);
+
+PipelineRequest compositePipeline(const Renderer::Impl& impl, Accumulation accumulation, bool blur, VkFormat colour);
+
+PipelineRequest shadowMapPipeline(const Renderer::Impl& impl, VkFormat map);
+
+}  // namespace tyndall
