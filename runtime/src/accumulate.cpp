@@ -19,38 +19,45 @@ constexpr std::array<LightSampler, 3> lightSamplers{{
     {"ShadowMapSampler", &LightTextures::shadowMap, Neutral::NoShadow},
 }};
 
-Result<void> checkLight(const Plan& plan, std::size_t index, std::size_t textures) {
-    if (index >= plan.lights.size() || !plan.lights[index].drawn)
-        return invalidArgument("a group of the plan names light " + std::to_string(index) +
+Result<void> checkPart(const Plan& plan, const PlannedPart& part, std::size_t textures) {
+    if (part.light >= plan.lights.size() || !plan.lights[part.light].drawn)
+        return invalidArgument("a part of the plan names light " + std::to_string(part.light) +
                                ", which it does not draw; use the plan as plan() made it");
-    const PlannedLight& light = plan.lights[index];
+    const PlannedLight& light = plan.lights[part.light];
     if (light.light >= textures)
         return invalidArgument("light " + std::to_string(light.light) + " has no entry in textures; give one for " +
                                "each light that was planned");
-    if (std::size_t{light.firstIndex} + light.indexCount > plan.indices.size())
+    if (light.constants >= plan.constants.size())
+        return invalidArgument("light " + std::to_string(light.light) +
+                               " uses constants that the plan does not have; use the plan as plan() made it");
+    if (std::size_t{part.firstIndex} + part.indexCount > plan.indices.size())
         return invalidArgument("light " + std::to_string(light.light) +
                                " uses indices that the plan does not have; use the plan as plan() made it");
     return {};
 }
 
 /// Fills impl.draws. `neutral` becomes true where a light lacks what its technique reads.
-Result<void> resolve(Renderer::Impl& impl, const Plan& plan, const CompositeGroup& group,
+Result<void> resolve(Renderer::Impl& impl, const Plan& plan, std::span<const PlannedPart> parts,
                      std::span<const LightTextures> textures, const PassTarget& target, bool& neutral) {
     impl.draws.clear();
-    for (const std::size_t index : group.lights) {
-        if (auto checked = checkLight(plan, index, textures.size()); !checked) return checked;
-        const PlannedLight& light = plan.lights[index];
-        const auto request = slicePipeline(impl, light.technique, target);
-        if (!request) return tl::unexpected(request.error());
-        const auto pipeline = pipelineFor(impl.gpu, impl.pipelines, *request, impl.counters.pipelinesCreated);
-        if (!pipeline) return tl::unexpected(pipeline.error());
-
-        Renderer::Impl::LightDraw draw{&light, *pipeline, {}};
+    std::string_view technique;  // of the part before: parts come sorted by it
+    PassPipeline pipeline;
+    for (const PlannedPart& part : parts) {
+        if (auto checked = checkPart(plan, part, textures.size()); !checked) return checked;
+        if (part.technique != technique || !pipeline.handle) {
+            const auto request = slicePipeline(impl, part.technique, target);
+            if (!request) return tl::unexpected(request.error());
+            const auto made = pipelineFor(impl.gpu, impl.pipelines, *request, impl.counters.pipelinesCreated);
+            if (!made) return tl::unexpected(made.error());
+            pipeline = *made;
+            technique = part.technique;
+        }
+        const LightTextures& given = textures[plan.lights[part.light].light];
+        Renderer::Impl::PartDraw draw{&part, pipeline, {}};
         for (std::size_t i = 0; i < lightSamplers.size(); ++i) {
             const LightSampler& sampler = lightSamplers[i];
-            draw.images[i] = {sampler.name, textures[light.light].*sampler.view,
-                              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-            if (draw.images[i].view || !binds(*pipeline->layout, sampler.name)) continue;
+            draw.images[i] = {sampler.name, given.*sampler.view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+            if (draw.images[i].view || !binds(*pipeline.layout, sampler.name)) continue;
             const auto texture =
                 neutralTexture(impl.gpu, impl.neutral, sampler.neutral, impl.counters.neutralTexturesCreated);
             if (!texture) return tl::unexpected(texture.error());
@@ -97,19 +104,19 @@ void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
 Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const Plan& plan,
                         const UploadedPlan& uploaded) {
     VkPipeline bound = VK_NULL_HANDLE;
-    for (const Renderer::Impl::LightDraw& draw : impl.draws) {
+    for (const Renderer::Impl::PartDraw& draw : impl.draws) {
         if (draw.pipeline.handle != bound) {
             bound = draw.pipeline.handle;
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound);
         }
-        const FrameRange& constants = uploaded.constants[static_cast<std::size_t>(draw.light - plan.lights.data())];
+        const FrameRange& constants = uploaded.constants[plan.lights[draw.part->light].constants];
         const NamedBuffer block{globalsBlock, {constants.buffer, constants.offset, sizeof(SliceConstants)}};
         const auto pushed = pushResources(impl.gpu, commands, *draw.pipeline.layout, std::span(&block, 1), draw.images);
         if (!pushed) return tl::unexpected(pushed.error());
-        vkCmdDrawIndexed(commands, draw.light->indexCount, 1, draw.light->firstIndex, 0, 0);
+        vkCmdDrawIndexed(commands, draw.part->indexCount, 1, draw.part->firstIndex, 0, 0);
         ++impl.counters.draws;
         impl.counters.descriptorsPushed += *pushed;
-        impl.counters.slicesDrawn += static_cast<std::uint64_t>(draw.light->slices);
+        impl.counters.slicesDrawn += static_cast<std::uint64_t>(draw.part->slices);
     }
     return {};
 }
@@ -122,13 +129,14 @@ Result<void> Renderer::recordAccumulation(VkCommandBuffer commands, FrameData& f
     const auto data = useFrame(impl_->gpu, frame.impl_.get());
     if (!data) return tl::unexpected(data.error());
     if (auto checked = checkRecording(**data, plan, group, targets); !checked) return checked;
-    const UploadedPlan& uploaded = *(*data)->plan;
+    const UploadedPlan& uploaded = (*data)->plan;
 
     const PassTarget target = accumulationTarget(
         plan.accumulation, targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED, targets.depthCompare);
     bool neutral = false;
-    if (auto resolved = resolve(*impl_, plan, plan.groups[group], textures, target, neutral); !resolved)
-        return resolved;
+    const CompositeGroup& planned = plan.groups[group];
+    const auto parts = std::span(plan.parts).subspan(planned.firstPart, planned.parts);
+    if (auto resolved = resolve(*impl_, plan, parts, textures, target, neutral); !resolved) return resolved;
 
     if (neutral) recordNeutralFill(commands, impl_->neutral);
     beginAccumulation(commands, targets);

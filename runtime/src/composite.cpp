@@ -65,7 +65,7 @@ Result<void> Renderer::recordComposite(VkCommandBuffer commands, FrameData& fram
     }};
     beginComposite(commands, targets);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
-    const FrameRange& triangle = data.plan->screenTriangle;
+    const FrameRange& triangle = data.plan.screenTriangle;
     bindVertices(commands, triangle.buffer, triangle.offset, sizeof(glm::vec2));
     const NamedBuffer block{globalsBlock, {constants->buffer, constants->offset, sizeof(CompositeConstants)}};
     const auto pushed = pushResources(impl_->gpu, commands, *pipeline->layout, std::span(&block, 1), images);

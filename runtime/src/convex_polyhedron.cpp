@@ -6,7 +6,7 @@ namespace tyndall {
 
 ConvexPolyhedron hexahedron(const std::array<glm::dvec3, 8>& corners) {
     ConvexPolyhedron solid;
-    solid.vertices.assign(corners.begin(), corners.end());
+    for (const glm::dvec3& corner : corners) solid.vertices.push_back(corner);
     solid.faces = 6;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t second = (axis + 1) % 3;
@@ -23,7 +23,9 @@ ConvexPolyhedron hexahedron(const std::array<glm::dvec3, 8>& corners) {
 
 bool cut(ConvexPolyhedron& solid, const glm::dvec4& plane, double tolerance) {
     constexpr std::uint32_t dropped = ~0u;
-    std::vector<double> beyond(solid.vertices.size());
+    if (solid.vertices.empty() || solid.faces >= ConvexPolyhedron::mostFaces) return !solid.vertices.empty();
+    InlineVector<double, ConvexPolyhedron::mostVertices> beyond;
+    beyond.resize(solid.vertices.size());
     std::transform(solid.vertices.begin(), solid.vertices.end(), beyond.begin(),
                    [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; });
     const auto [least, most] = std::minmax_element(beyond.begin(), beyond.end());
@@ -33,13 +35,17 @@ bool cut(ConvexPolyhedron& solid, const glm::dvec4& plane, double tolerance) {
     ConvexPolyhedron left;
     left.faces = solid.faces + 1;
     const std::uint32_t section = solid.faces;
-    std::vector<std::uint32_t> kept(solid.vertices.size(), dropped);
+    InlineVector<std::uint32_t, ConvexPolyhedron::mostVertices> kept;
+    kept.resize(solid.vertices.size());
+    std::fill(kept.begin(), kept.end(), dropped);
     for (std::size_t i = 0; i < kept.size(); ++i) {
         if (beyond[i] < 0.0) continue;
         kept[i] = static_cast<std::uint32_t>(left.vertices.size());
         left.vertices.push_back(solid.vertices[i]);
     }
-    std::vector<std::uint32_t> crossing(solid.faces, dropped);  // the first crossing on each face, until its second
+    // The first crossing on each face, until its second.
+    std::array<std::uint32_t, ConvexPolyhedron::mostFaces> crossing;
+    crossing.fill(dropped);
     for (const ConvexPolyhedron::Edge& edge : solid.edges) {
         auto [inside, outside] = edge.vertices;
         if (kept[inside] == dropped) std::swap(inside, outside);
@@ -61,7 +67,7 @@ bool cut(ConvexPolyhedron& solid, const glm::dvec4& plane, double tolerance) {
             }
         }
     }
-    solid = std::move(left);
+    solid = left;
     return true;
 }
 

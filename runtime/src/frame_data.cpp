@@ -91,7 +91,7 @@ VkDeviceSize frameBytes(const Gpu& gpu, VkDeviceSize size) {
 }
 
 Result<void> resetFrame(FrameData::Impl& frame, VkDeviceSize bytes) {
-    frame.plan.reset();
+    frame.plan.valid = false;
     frame.used = 0;
     VkDeviceSize held = 0;
     for (const FrameData::Impl::Block& block : frame.blocks) held += block.size;

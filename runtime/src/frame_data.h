@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +17,8 @@ struct FrameRange {
 /// What upload() left for record().
 struct UploadedPlan {
     FrameRange vertices, indices, screenTriangle;
-    std::vector<FrameRange> constants;  ///< one for each of the plan's lights
+    bool valid = false;                 ///< false: upload() has not been called, or failed
+    std::vector<FrameRange> constants;  ///< one for each of the plan's
     std::size_t vertexCount = 0, indexCount = 0;
 };
 
@@ -34,7 +34,7 @@ struct FrameData::Impl {
     Gpu gpu;  ///< of the renderer that used it first
     std::vector<Block> blocks;
     VkDeviceSize used = 0;  ///< of the last block
-    std::optional<UploadedPlan> plan;
+    UploadedPlan plan;
 
     Impl() = default;
     Impl(const Impl&) = delete;

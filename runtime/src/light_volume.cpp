@@ -23,7 +23,8 @@ ConvexPolyhedron pyramid(const Light& light, const LightPose& pose) {
     return hexahedron(corners);
 }
 
-void addPyramidPlanes(std::vector<glm::dvec4>& planes, const Light& light, const LightPose& pose) {
+template <class Planes>
+void addPyramidPlanes(Planes& planes, const Light& light, const LightPose& pose) {
     const glm::dvec2 slope = glm::tan(0.5 * light.fov);
     const glm::dvec4 lightSpace[] = {
         {1.0, 0.0, -slope.x, 0.0},  {-1.0, 0.0, -slope.x, 0.0},         {0.0, 1.0, -slope.y, 0.0},
@@ -33,18 +34,14 @@ void addPyramidPlanes(std::vector<glm::dvec4>& planes, const Light& light, const
     for (const glm::dvec4& plane : lightSpace) planes.push_back(unitPlane(plane * pose.lightFromView));
 }
 
-// Left, right, top and bottom of the clip volume |x| <= width * w, |y| <= width * w.
-std::vector<glm::dvec4> viewSides(const View& view, double width) {
-    const glm::dmat4 rows = glm::transpose(view.clipFromView);
-    std::vector<glm::dvec4> sides;
-    for (int axis = 0; axis < 2; ++axis)
-        for (const double sign : {1.0, -1.0}) sides.push_back(unitPlane(width * rows[3] + sign * rows[axis]));
-    return sides;
-}
-
-bool cutAll(ConvexPolyhedron& solid, const std::vector<glm::dvec4>& planes, double tolerance) {
+bool cutAll(ConvexPolyhedron& solid, std::span<const glm::dvec4> planes, double tolerance) {
     return std::all_of(planes.begin(), planes.end(),
                        [&](const glm::dvec4& plane) { return cut(solid, plane, tolerance); });
+}
+
+template <class Planes>
+std::span<const glm::dvec4> spanOf(const Planes& planes) {
+    return {planes.data(), planes.size()};
 }
 
 bool holds(const glm::dvec4& plane, const ConvexPolyhedron& solid) {
@@ -58,55 +55,104 @@ double size(const ConvexPolyhedron& solid) {
     return most;
 }
 
-// Cuts the solid down to what the view's depth range shows of it.
-Hidden cutByDepth(ConvexPolyhedron& solid, const View& view, double tolerance) {
-    const auto before = [](double depth) { return glm::dvec4(0.0, 0.0, 1.0, depth); };
+glm::dvec4 before(double depth) {
+    return {0.0, 0.0, 1.0, depth};
+}
+
+// Cuts the solid down to the view's own depth range.
+Verdict cutByDepth(ConvexPolyhedron& solid, const View& view, double tolerance) {
     const bool behindEye =
         std::all_of(solid.vertices.begin(), solid.vertices.end(), [](const glm::dvec3& p) { return p.z >= 0.0; });
     if (!cut(solid, {0.0, 0.0, -1.0, -view.nearPlane}, tolerance))
-        return behindEye ? Hidden::BehindEye : Hidden::BeforeNear;
-    if (std::isfinite(view.farPlane) && !cut(solid, before(view.farPlane), tolerance)) return Hidden::BeyondFar;
-    if (!cut(solid, before(view.sceneDepth), tolerance)) return Hidden::BehindScene;
-    return Hidden::No;
+        return behindEye ? Verdict::BehindEye : Verdict::BeforeNear;
+    if (std::isfinite(view.farPlane) && !cut(solid, before(view.farPlane), tolerance)) return Verdict::BeyondFar;
+    return Verdict::Drawn;
 }
 
-Hidden measure(LightVolume& volume, const Light& light, const View& view, const LightPose& pose) {
+Verdict measure(LightVolume& volume, const Light& light, const View& view, const LightPose& pose,
+                std::span<const glm::dvec4> walls, ConvexPolyhedron& seen) {
     ConvexPolyhedron solid = pyramid(light, pose);
     const double tolerance = touching * size(solid);
     for (std::size_t i = 6; i < volume.planes.size(); ++i)
-        if (!cut(solid, volume.planes[i], tolerance)) return Hidden::ClipPlanes;
-    if (const Hidden hidden = cutByDepth(solid, view, tolerance); hidden != Hidden::No) return hidden;
+        if (!cut(solid, volume.planes[i], tolerance)) return Verdict::ClipPlanes;
+    volume.axisNear = light.farPlane;
+    for (const glm::dvec3& p : solid.vertices) {
+        volume.axisNear = std::min(volume.axisNear, axisOf(pose, p));
+        volume.axisFar = std::max(volume.axisFar, axisOf(pose, p));
+    }
+    if (const Verdict hidden = cutByDepth(solid, view, tolerance); hidden != Verdict::Drawn) return hidden;
 
     // The whole volume's depths, not those of its visible part: slices must not move when the view turns
     // about its axis or the picture's shape changes.
     const auto [farthest, nearest] = std::minmax_element(solid.vertices.begin(), solid.vertices.end(),
                                                          [](const auto& a, const auto& b) { return a.z < b.z; });
     volume.nearDepth = std::max(-nearest->z, view.nearPlane);
-    volume.farDepth = std::min({-farthest->z, view.farPlane, view.sceneDepth});
+    volume.farDepth = std::min(-farthest->z, view.farPlane);
+    volume.farShown = std::min(volume.farDepth, view.sceneDepth);
 
-    ConvexPolyhedron visible = solid;
-    if (!cutAll(visible, viewSides(view, 1.0), tolerance)) return Hidden::BesideView;
-    std::erase_if(volume.guard, [&](const glm::dvec4& plane) { return holds(plane, solid); });
-    cutAll(solid, volume.guard, tolerance);
-    volume.boundsMin = volume.boundsMax = glm::dvec2(solid.vertices.front());
-    for (const glm::dvec3& p : solid.vertices) {
+    ConvexPolyhedron within = solid;
+    const InlineVector<glm::dvec4, 4> sides = viewSides(view, guardBand);
+    for (const glm::dvec4& plane : sides)
+        if (!holds(plane, solid)) volume.guard.push_back(plane);
+    cutAll(within, spanOf(volume.guard), tolerance);
+    volume.boundsMin = volume.boundsMax = glm::dvec2(within.vertices.front());
+    for (const glm::dvec3& p : within.vertices) {
         volume.boundsMin = glm::min(volume.boundsMin, glm::dvec2(p));
         volume.boundsMax = glm::max(volume.boundsMax, glm::dvec2(p));
     }
-    return Hidden::No;
+
+    volume.nearLit = volume.nearDepth;
+    volume.farLit = volume.farDepth;
+    seen = solid;
+    if (!cutAll(seen, walls, tolerance)) return Verdict::BehindWalls;
+    const auto [lastLit, firstLit] = std::minmax_element(seen.vertices.begin(), seen.vertices.end(),
+                                                         [](const auto& a, const auto& b) { return a.z < b.z; });
+    volume.nearLit = std::max(-firstLit->z, view.nearPlane);
+    volume.farLit = std::min(-lastLit->z, view.farPlane);
+    for (const glm::dvec4& wall : walls) volume.planes.push_back(wall);
+    volume.walls = walls.size();
+    if (!cut(seen, before(view.sceneDepth), tolerance)) return Verdict::BehindScene;
+    if (!cutAll(seen, spanOf(viewSides(view, 1.0)), tolerance)) return Verdict::BesideView;
+    return Verdict::Drawn;
 }
 
 }  // namespace
 
-LightVolume lightVolume(const Light& light, const View& view, const LightPose& pose) {
+InlineVector<glm::dvec4, 4> viewSides(const View& view, double width) {
+    const glm::dmat4 rows = glm::transpose(view.clipFromView);
+    InlineVector<glm::dvec4, 4> sides;
+    for (int axis = 0; axis < 2; ++axis)
+        for (const double sign : {1.0, -1.0}) sides.push_back(unitPlane(width * rows[3] + sign * rows[axis]));
+    return sides;
+}
+
+LightVolume lightVolume(const Light& light, const View& view, const LightPose& pose, std::span<const glm::dvec4> walls,
+                        ConvexPolyhedron& seen) {
     LightVolume volume;
-    volume.planes.reserve(6 + light.clipPlanes.size());
     addPyramidPlanes(volume.planes, light, pose);
     for (const glm::dvec4& plane : light.clipPlanes) volume.planes.push_back(viewPlane(plane, view.worldFromView));
-    volume.guard = viewSides(view, guardBand);
-    volume.hidden = measure(volume, light, view, pose);
-    if (volume.hidden != Hidden::No) volume.nearDepth = volume.farDepth = 0.0;
+    volume.hidden = measure(volume, light, view, pose, walls, seen);
     return volume;
+}
+
+Verdict hiddenAtAGlance(const Light& light, const View& view, const LightPose& pose,
+                        std::span<const glm::dvec4> sides) {
+    // The sphere through the eight corners of a pyramid's stump, centred on its axis: its centre is as far from the
+    // near corners as from the far ones. Where that lies beyond the far plane, the far rectangle's own circle does.
+    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
+    const double k = 1.0 + glm::dot(slope, slope);
+    const double along = std::min(0.5 * (light.nearPlane + light.farPlane) * k, light.farPlane);
+    const double out = light.farPlane - along;
+    const double radius = std::sqrt(out * out + (k - 1.0) * light.farPlane * light.farPlane) * (1.0 + 1e-9);
+    const glm::dvec3 centre(pose.viewFromLight * glm::dvec4(0.0, 0.0, -along, 1.0));
+    const double depth = -centre.z;
+    if (depth + radius < 0.0) return Verdict::BehindEye;
+    if (depth + radius < view.nearPlane) return Verdict::BeforeNear;
+    if (depth - radius > view.farPlane) return Verdict::BeyondFar;
+    if (depth - radius > view.sceneDepth) return Verdict::BehindScene;
+    for (const glm::dvec4& side : sides)
+        if (glm::dot(side, glm::dvec4(centre, 1.0)) < -radius) return Verdict::BesideView;
+    return Verdict::Drawn;
 }
 
 }  // namespace tyndall

@@ -1,117 +1,148 @@
 #include <tyndall/plan.h>
 
-#include "light_volume.h"
 #include "plan_check.h"
 #include "plan_geometry.h"
 #include "plan_groups.h"
+#include "plan_stages.h"
 #include "plan_technique.h"
 #include "slice_constants.h"
-#include "view_pose.h"
 
 namespace tyndall {
 namespace {
 
-// 2^24 slices of at most 20 corners keep every vertex's number within 32 bits; they would fill 7 GB.
+// 2^24 slices of at most 28 corners keep every vertex's number within 32 bits; they would fill 9 GB.
 constexpr std::size_t mostSlices = std::size_t{1} << 24;
 
-// Why a light adds nothing wherever it stands; empty where it adds something.
-std::string darkness(const Light& light, Look look) {
-    if (light.colour == glm::dvec3(0.0)) return "Not drawn: its colour is black.";
-    if (look == Look::Article) return {};  // has its own intensity, and no density
-    if (light.density == 0.0) return "Not drawn: its air has the density 0 and scatters nothing.";
-    if (light.intensity == 0.0 && light.ambient == 0.0) return "Not drawn: its intensity and ambient are both 0.";
-    return {};
+void clear(Plan& plan) {
+    plan.vertices.clear();
+    plan.indices.clear();
+    plan.constants.clear();
+    plan.lights.clear();
+    plan.parts.clear();
+    plan.groups.clear();
 }
 
-std::string hiddenReason(Hidden hidden, const View& view) {
-    switch (hidden) {
-        case Hidden::No:
-            break;
-        case Hidden::ClipPlanes:
-            return "Not drawn: its clip planes leave nothing of its volume.";
-        case Hidden::BehindEye:
-            return "Not drawn: its volume lies wholly behind the eye.";
-        case Hidden::BeforeNear:
-            return "Not drawn: its volume ends before the view's near plane at " + text(view.nearPlane) + " m.";
-        case Hidden::BeyondFar:
-            return "Not drawn: its volume begins beyond the view's far plane at " + text(view.farPlane) + " m.";
-        case Hidden::BehindScene:
-            return "Not drawn: its volume begins behind the farthest visible surface at " + text(view.sceneDepth) +
-                   " m.";
-        case Hidden::BesideView:
-            return "Not drawn: its volume misses the view's frustum sideways.";
-    }
-    return {};
-}
-
-PlannedLight chooseTechnique(const Light& light, std::size_t index, const PlanOptions& options) {
-    const Terms calledFor = termsOf(light);
-    const Terms terms = options.technique ? termsOf(*options.technique).value_or(calledFor) : calledFor;
-    PlannedLight planned;
-    planned.light = index;
-    planned.technique = techniqueName(terms);
-    planned.noise = terms.noise;
-    planned.shadow = terms.shadow;
-    planned.cookie = terms.cookie;
-    planned.reason = techniqueReason(calledFor, terms, options.technique.has_value());
-    return planned;
-}
-
-// Sets everything of `planned` but its group. Leaves it undrawn, with the reason, where nothing shows.
-Result<void> planSlices(Plan& plan, PlannedLight& planned, const Light& light, const View& view,
-                        const PlanOptions& options) {
-    const auto leaveOut = [&](std::string reason) { planned.reason = std::move(reason); };
-    if (std::string reason = darkness(light, options.look); !reason.empty()) {
-        leaveOut(std::move(reason));
-        return {};
-    }
-    const LightPose pose = lightPose(light.worldFromLight, view.worldFromView);
-    const LightVolume volume = lightVolume(light, view, pose);
-    if (volume.hidden != Hidden::No) {
-        leaveOut(hiddenReason(volume.hidden, view));
-        return {};
-    }
-    planned.constants =
-        sliceConstants(light, view, options, pose, volume, {planned.noise, planned.shadow, planned.cookie});
-    if (!isFinite(planned.constants))
-        return broken(placeOf(light, planned.light) +
-                      ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, "
-                      "intensity, ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
-    planned.slices = options.slices;
-    planned.nearDepth = volume.nearDepth;
-    planned.farDepth = volume.farDepth;
-    if (plan.geometry == Geometry::ExactPolygons)
-        appendPolygons(plan, planned, volume);
-    else
-        appendQuads(plan, planned);
-    planned.drawn = true;
-    return {};
+Result<void> checkSlices(std::span<const Candidate> candidates) {
+    std::size_t slices = 0;
+    for (const Candidate& candidate : candidates) slices += static_cast<std::size_t>(candidate.slabs.count);
+    if (slices <= mostSlices) return {};
+    return broken("plan options: " + std::to_string(candidates.size()) + " lights are to be drawn with " +
+                  std::to_string(slices) + " slices: they must come to at most " + std::to_string(mostSlices) +
+                  " together; lower slices, or leave out lights");
 }
 
 }  // namespace
 
-Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options) {
-    if (const Result<void> checked = checkOptions(options); !checked) return tl::unexpected(checked.error());
-    if (const Result<void> checked = checkView(view); !checked) return tl::unexpected(checked.error());
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        if (const Result<void> checked = checkLight(lights[i], i, options); !checked)
-            return tl::unexpected(checked.error());
-    if (lights.size() > mostSlices / static_cast<std::size_t>(options.slices))
-        return broken("plan options: slices is " + std::to_string(options.slices) + " for each of " +
-                      std::to_string(lights.size()) + " lights: they must come to at most " +
-                      std::to_string(mostSlices) + " together; lower slices, or leave out lights");
+struct Planner::Impl {
+    std::vector<Candidate> candidates;
+    std::vector<Omission> omissions;
+    std::vector<OccluderBounds> occluders;
+    std::vector<BlockerBounds> blockers;
+    std::vector<std::uint32_t> indices;
+    WallScratch walls;
 
-    Plan result;
-    result.geometry = options.geometry;
-    result.accumulation = options.accumulation;
-    result.scale = targetScale(options);
-    result.lights.reserve(lights.size());
+    Result<void> check(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                       const Surroundings& surroundings);
+    void consider(const PlanContext& context, std::span<const Light> lights, Plan& plan);
+    Result<void> draw(std::span<const Light> lights, const View& view, const PlanOptions& options, Plan& plan);
+};
+
+Result<void> Planner::Impl::check(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                                  const Surroundings& surroundings) {
+    if (const Result<void> checked = checkOptions(options); !checked) return checked;
+    if (const Result<void> checked = checkView(view); !checked) return checked;
+    if (const Result<void> checked = checkSurroundings(surroundings, lights.size()); !checked) return checked;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (const Result<void> checked = checkLight(lights[i], i, options); !checked) return checked;
+    return {};
+}
+
+void Planner::Impl::consider(const PlanContext& context, std::span<const Light> lights, Plan& plan) {
+    candidates.clear();
+    plan.lights.resize(lights.size());
+    const std::span<const LightSurvey> surveys = context.surroundings.surveys;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        result.lights.push_back(chooseTechnique(lights[i], i, options));
-        if (const Result<void> planned = planSlices(result, result.lights.back(), lights[i], view, options); !planned)
-            return tl::unexpected(planned.error());
+        PlannedLight& planned = plan.lights[i] = {};
+        planned.light = i;
+        Candidate& candidate = candidates.emplace_back();
+        candidate.light = static_cast<std::uint32_t>(i);
+        if (!tyndall::consider(context, lights[i], surveys.empty() ? LightSurvey{} : surveys[i], planned, candidate,
+                               walls))
+            candidates.pop_back();
     }
-    formGroups(result, lights);
+}
+
+Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                                 Plan& plan) {
+    for (const Candidate& candidate : candidates) {
+        PlannedLight& planned = plan.lights[candidate.light];
+        const Light& light = lights[candidate.light];
+        if (planned.verdict != Verdict::Drawn) continue;
+        const Terms terms{planned.noise, planned.shadow, planned.cookie};
+        const SliceConstants constants =
+            sliceConstants(light, view, options, candidate.pose, candidate.volume, candidate.slabs, terms,
+                           {candidate.cookieFactor, candidate.noiseFactor});
+        if (!isFinite(constants))
+            return broken(
+                placeOf(light, candidate.light) +
+                ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, intensity, "
+                "ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
+        planned.constants = static_cast<std::uint32_t>(plan.constants.size());
+        plan.constants.push_back(constants);
+        planned.technique = techniqueName(terms);
+        planned.nearDepth = candidate.slabs.nearDepth;
+        planned.farDepth = candidate.slabs.farDepth;
+        planned.drawn = true;
+        if (plan.geometry == Geometry::ExactPolygons)
+            appendPolygons(plan, planned, light, candidate, options, indices);
+        else
+            appendQuads(plan, planned, candidate, options);
+    }
+    return {};
+}
+
+Planner::Planner() : impl_(std::make_unique<Impl>()) {}
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+Planner::~Planner() = default;
+
+Result<void> Planner::plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                           const Surroundings& surroundings, Plan& plan) {
+    clear(plan);
+    if (const Result<void> checked = impl_->check(lights, view, options, surroundings); !checked) return checked;
+    impl_->occluders.clear();
+    if (surroundings.occluders)
+        for (const OccluderBox& box : *surroundings.occluders) impl_->occluders.push_back(boundsOf(box));
+    impl_->blockers.clear();
+    for (const Blocker& blocker : surroundings.blockers) impl_->blockers.push_back(boundsOf(blocker));
+    const PlanContext context{view,
+                              options,
+                              surroundings,
+                              impl_->occluders,
+                              impl_->blockers,
+                              viewSides(view, 1.0),
+                              options.technique ? termsOf(*options.technique) : std::nullopt};
+
+    plan.geometry = options.geometry;
+    plan.accumulation = options.accumulation;
+    plan.scale = targetScale(options);
+    impl_->consider(context, lights, plan);
+    leaveOutTheFaint(options, impl_->candidates, plan.lights, impl_->omissions);
+    Result<void> done = checkSlices(impl_->candidates);
+    if (done) done = impl_->draw(lights, view, options, plan);
+    if (!done) {
+        clear(plan);
+        return done;
+    }
+    formGroups(plan, lights);
+    return {};
+}
+
+Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                  const Surroundings& surroundings) {
+    Plan result;
+    if (const Result<void> done = Planner().plan(lights, view, options, surroundings, result); !done)
+        return tl::unexpected(done.error());
     return result;
 }
 

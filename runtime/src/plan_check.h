@@ -16,6 +16,7 @@ namespace tyndall {
 
 Result<void> checkOptions(const PlanOptions& options);
 Result<void> checkView(const View& view);
+Result<void> checkSurroundings(const Surroundings& surroundings, std::size_t lights);
 Result<void> checkLight(const Light& light, std::size_t index, const PlanOptions& options);
 
 /// How messages name a light: its number among those given, and its name where it has one.
@@ -26,6 +27,15 @@ std::string text(double number);
 
 tl::unexpected<Error> broken(const std::string& sentence);
 
+/// Where a message says that something is wrong. Put into words only when it is: a thousand lights are checked in every
+/// frame.
+struct Place {
+    std::string_view name;         ///< of what is no light
+    const Light* light = nullptr;  ///< with its number
+    std::size_t index = 0;
+    std::string text() const { return light ? placeOf(*light, index) : std::string(name); }
+};
+
 /// A field with a closed range.
 struct Bound {
     std::string_view field;
@@ -35,10 +45,10 @@ struct Bound {
     std::string_view remedy;  ///< an imperative
 };
 
-Result<void> checkBounds(const std::string& place, std::span<const Bound> bounds);
+Result<void> checkBounds(const Place& place, std::span<const Bound> bounds);
 
 /// A pose has no scale, shear or mirroring, and no translation beyond what a double resolves to a micrometre.
-Result<void> checkRigid(const std::string& place, std::string_view field, const glm::dmat4& pose);
+Result<void> checkRigid(const Place& place, std::string_view field, const glm::dmat4& pose);
 
 /// Largest coordinate, in metres, that doubles resolve well below a micrometre.
 inline constexpr double farthest = 1e9;

@@ -14,7 +14,7 @@ constexpr double mostFov = 179.0 * glm::pi<double>() / 180.0;
 constexpr std::string_view fovRule = "from 0.01 to 179 degrees (0.000174533 to 3.12413936 rad)";
 constexpr std::string_view fovRemedy = "give the full angle in radians, or split the light in two";
 
-Result<void> checkNoise(const std::string& place, const Noise& noise) {
+Result<void> checkNoise(const Place& place, const Noise& noise) {
     const auto finite = [](std::string_view field, double value) {
         return Bound{field, value, -DBL_MAX, DBL_MAX, "finite", "check what it was computed from"};
     };
@@ -30,8 +30,10 @@ Result<void> checkNoise(const std::string& place, const Noise& noise) {
     return checkBounds(place, bounds);
 }
 
-Result<void> checkClipPlanes(const std::string& place, const Light& light, const PlanOptions& options) {
+Result<void> checkClipPlanes(const Place& where, const Light& light, const PlanOptions& options) {
     const std::size_t count = light.clipPlanes.size();
+    if (count == 0) return {};
+    const std::string place = where.text();
     if (count > 6)
         return broken(place + ": clipPlanes has " + std::to_string(count) +
                       " planes: it must have at most 6; leave out those that cut nothing");
@@ -63,7 +65,7 @@ std::string placeOf(const Light& light, std::size_t index) {
 }
 
 Result<void> checkLight(const Light& light, std::size_t index, const PlanOptions& options) {
-    const std::string place = placeOf(light, index);
+    const Place place{{}, &light, index};
     if (const Result<void> checked = checkRigid(place, "worldFromLight", light.worldFromLight); !checked)
         return checked;
     const auto strength = [](std::string_view field, double value) {
@@ -83,7 +85,7 @@ Result<void> checkLight(const Light& light, std::size_t index, const PlanOptions
     };
     if (const Result<void> checked = checkBounds(place, bounds); !checked) return checked;
     if (!(light.farPlane > light.nearPlane))
-        return broken(place + ": farPlane is " + text(light.farPlane) + ": it must be beyond nearPlane, " +
+        return broken(place.text() + ": farPlane is " + text(light.farPlane) + ": it must be beyond nearPlane, " +
                       text(light.nearPlane) + "; raise farPlane or lower nearPlane");
     if (light.noise)
         if (const Result<void> checked = checkNoise(place, *light.noise); !checked) return checked;

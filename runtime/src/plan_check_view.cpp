@@ -49,13 +49,13 @@ Result<void> checkProjection(const View& view) {
 }  // namespace
 
 Result<void> checkView(const View& view) {
-    if (const Result<void> checked = checkRigid(place, "worldFromView", view.worldFromView); !checked) return checked;
+    if (const Result<void> checked = checkRigid({place}, "worldFromView", view.worldFromView); !checked) return checked;
     const Bound bounds[] = {
         {"nearPlane", view.nearPlane, DBL_MIN, farthest, "over 0 and at most 1e9 m", "0.1 is a good start"},
         {"farPlane", view.farPlane, -DBL_MAX, HUGE_VAL, "a number", "give metres, or infinity"},
         {"sceneDepth", view.sceneDepth, DBL_MIN, DBL_MAX, "over 0 and finite", "leave it at its default where unknown"},
     };
-    if (const Result<void> checked = checkBounds(place, bounds); !checked) return checked;
+    if (const Result<void> checked = checkBounds({place}, bounds); !checked) return checked;
     if (!(view.farPlane > view.nearPlane))
         return broken(place + ": farPlane is " + text(view.farPlane) + ": it must be beyond nearPlane, " +
                       text(view.nearPlane) + "; raise farPlane or lower nearPlane");

@@ -1,62 +1,175 @@
 #include "plan_geometry.h"
 
+#include <cmath>
+
 #include "slice_polygon.h"
 
 namespace tyndall {
 namespace {
 
-std::uint32_t channelMask(Accumulation accumulation, int slice) {
+std::uint32_t channelMask(Accumulation accumulation, int slab) {
     if (accumulation != Accumulation::Rgba8Routed) return 0xffffffffu;
-    return 0xffu << (8 * (slice % 4));
+    return 0xffu << (8 * (slab & 3));  // of negative numbers, too: they are two's complements
 }
 
 // A convex polygon of the last `corners` vertices, as a fan.
-void appendFan(Plan& plan, std::size_t corners) {
-    const auto first = static_cast<std::uint32_t>(plan.vertices.size() - corners);
+void appendFan(std::vector<std::uint32_t>& indices, std::size_t vertices, std::size_t corners) {
+    const auto first = static_cast<std::uint32_t>(vertices - corners);
     for (std::uint32_t i = 2; i < corners; ++i) {
-        plan.indices.push_back(first);
-        plan.indices.push_back(first + i - 1);
-        plan.indices.push_back(first + i);
+        indices.push_back(first);
+        indices.push_back(first + i - 1);
+        indices.push_back(first + i);
     }
+}
+
+void appendPolygon(Plan& plan, std::vector<std::uint32_t>& indices, const SlicePolygon& polygon, const Slab& slab) {
+    const std::uint32_t mask = channelMask(plan.accumulation, slab.number);
+    for (std::size_t corner = 0; corner < polygon.count; ++corner)
+        plan.vertices.push_back(
+            {glm::vec3(glm::dvec3(polygon.corners[corner], -slab.middle)), static_cast<float>(slab.thickness), mask});
+    appendFan(indices, plan.vertices.size(), polygon.count);
+}
+
+struct Range {
+    int first, end;
+};
+
+// Slabs whose slice lies within the depths that are seen.
+Range seenSlabs(const Slabs& slabs, const SeenAir& air, bool everything) {
+    if (everything) return {0, slabs.count};
+    const double margin = 1e-9 * air.farDepth;
+    Range range{0, slabs.count};
+    while (range.first < range.end && slabAt(slabs, range.first).middle > air.farDepth + margin) ++range.first;
+    while (range.end > range.first && slabAt(slabs, range.end - 1).middle < air.nearDepth - margin) --range.end;
+    return range;
+}
+
+// A plane of view space across the light's axis; keeps what is farther from the lamp (sign 1) or nearer (-1).
+glm::dvec4 acrossAxis(const LightPose& pose, double axis, double sign) {
+    return unitPlane(glm::dvec4(0.0, 0.0, -sign, -sign * axis) * pose.lightFromView);
+}
+
+using Planes = InlineVector<glm::dvec4, 20>;
+
+// What cuts the slices. Near and far end of the pyramid move to where the seen air begins and ends, if that spares a
+// tenth of it or more: every cut leaves corners that the rasterizer rounds, so small ones are not worth it.
+Planes slicePlanes(const Light& light, const Candidate& candidate, bool everything) {
+    Planes planes;
+    const LightVolume& volume = candidate.volume;
+    const std::size_t kept = volume.planes.size() - (everything ? volume.walls : 0);
+    for (std::size_t i = 0; i < kept; ++i) planes.push_back(volume.planes[i]);
+    for (const glm::dvec4& plane : volume.guard) planes.push_back(plane);
+    if (everything) return planes;
+    const SeenAir& air = candidate.air;
+    const double length = volume.axisFar - volume.axisNear;
+    const double margin = 1e-6 * light.farPlane;
+    if (air.axisNear - volume.axisNear > 0.1 * length)
+        planes[4] = acrossAxis(candidate.pose, air.axisNear - margin, 1.0);
+    if (volume.axisFar - air.axisFar > 0.1 * length) planes[5] = acrossAxis(candidate.pose, air.axisFar + margin, -1.0);
+    return planes;
+}
+
+// Before the first occluder the shadow map lets everything through; its depths are rounded by less than this share.
+constexpr double mapRounding = 1e-4;
+// A part that holds less of the light's length than this costs more to draw on its own than it spares.
+constexpr double leastPart = 0.05;
+
+std::optional<glm::dvec4> partition(const PlannedLight& light, const Candidate& candidate, const PlanOptions& options) {
+    if (light.shadowVerdict != TermVerdict::Drawn || options.everything) return std::nullopt;
+    const double at = light.firstOccluder * (1.0 - mapRounding);
+    const SeenAir& air = candidate.air;
+    if (at - air.axisNear < leastPart * (air.axisFar - air.axisNear)) return std::nullopt;
+    return acrossAxis(candidate.pose, at, -1.0);
+}
+
+void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex, int slices, bool shadow) {
+    PlannedPart part;
+    part.light = static_cast<std::uint32_t>(light.light);
+    part.noise = light.noise;
+    part.shadow = light.shadow && shadow;
+    part.cookie = light.cookie;
+    part.technique = shadow ? light.technique : techniqueName(part.noise, false, part.cookie);
+    part.firstIndex = firstIndex;
+    part.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - firstIndex;
+    part.slices = slices;
+    if (part.indexCount > 0) plan.parts.push_back(part);
 }
 
 }  // namespace
 
-void appendPolygons(Plan& plan, PlannedLight& light, const LightVolume& volume) {
-    std::vector<glm::dvec4> planes = volume.planes;
-    planes.insert(planes.end(), volume.guard.begin(), volume.guard.end());
+void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
+                    const PlanOptions& options, std::vector<std::uint32_t>& scratch) {
+    const Planes planes = slicePlanes(source, candidate, options.everything);
+    const std::optional<glm::dvec4> lit = partition(light, candidate, options);
+    const LightVolume& volume = candidate.volume;
     // Larger than the bounds, so that every side of a slice comes from a plane and none from the bounds.
     const glm::dvec2 margin = 1e-3 * (volume.boundsMax - volume.boundsMin);
     const glm::dvec2 rectangleMin = volume.boundsMin - margin;
     const glm::dvec2 rectangleMax = volume.boundsMax + margin;
-    const double thickness = (volume.farDepth - volume.nearDepth) / light.slices;
+    const Range range = seenSlabs(candidate.slabs, candidate.air, options.everything);
 
     light.firstIndex = static_cast<std::uint32_t>(plan.indices.size());
-    for (int i = 0; i < light.slices; ++i) {
-        const double depth = volume.farDepth - (i + 0.5) * thickness;
-        const SlicePolygon polygon = slicePolygon(rectangleMin, rectangleMax, planes, depth);
-        const std::uint32_t mask = channelMask(plan.accumulation, i);
-        for (std::size_t corner = 0; corner < polygon.count; ++corner)
-            plan.vertices.push_back(
-                {glm::vec3(glm::dvec3(polygon.corners[corner], -depth)), static_cast<float>(thickness), mask});
-        appendFan(plan, polygon.count);
+    scratch.clear();
+    int before = 0, behind = 0;
+    for (int i = range.first; i < range.end; ++i) {
+        const Slab slab = slabAt(candidate.slabs, i);
+        const SlicePolygon polygon =
+            slicePolygon(rectangleMin, rectangleMax, {planes.data(), planes.size()}, slab.middle);
+        if (!lit) {
+            appendPolygon(plan, plan.indices, polygon, slab);
+            continue;
+        }
+        SlicePolygon litPart, rest;
+        split(polygon, glm::dvec2(*lit), lit->w - lit->z * slab.middle, litPart, rest);
+        appendPolygon(plan, plan.indices, litPart, slab);
+        appendPolygon(plan, scratch, rest, slab);
+        before += litPart.count > 0;
+        behind += rest.count > 0;
+    }
+    light.slices = range.end - range.first;
+    if (lit) {
+        appendPart(plan, light, light.firstIndex, before, false);
+        const auto second = static_cast<std::uint32_t>(plan.indices.size());
+        plan.indices.insert(plan.indices.end(), scratch.begin(), scratch.end());
+        appendPart(plan, light, second, behind, true);
+    } else {
+        appendPart(plan, light, light.firstIndex, light.slices, true);
     }
     light.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - light.firstIndex;
 }
 
-void appendQuads(Plan& plan, PlannedLight& light) {
-    if (plan.vertices.empty()) {
-        const double thickness = 1.0 / light.slices;
-        for (int i = 0; i < light.slices; ++i) {
-            const auto depth = static_cast<float>((i + 0.5) * thickness);
+void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, const PlanOptions& options) {
+    const Slabs& slabs = candidate.slabs;
+    const Range range = seenSlabs(slabs, candidate.air, options.everything);
+    const bool shared = slabs.spacing == Spacing::Even;
+    const int first = shared ? 0 : range.first;
+    std::uint32_t start = shared ? 0 : static_cast<std::uint32_t>(plan.indices.size());
+    if (!shared || plan.vertices.empty())
+        for (int i = first; i < (shared ? slabs.count : range.end); ++i) {
+            const Slab slab = slabAt(slabs, i);
+            const double extent = slabs.farDepth - slabs.nearDepth;
+            const double depth = shared ? (i + 0.5) / slabs.count : (slabs.farDepth - slab.middle) / extent;
+            const double thickness = shared ? 1.0 / slabs.count : slab.thickness / extent;
             for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)})
-                plan.vertices.push_back(
-                    {glm::vec3(corner, depth), static_cast<float>(thickness), channelMask(plan.accumulation, i)});
-            appendFan(plan, 4);
+                plan.vertices.push_back({glm::vec3(corner, static_cast<float>(depth)), static_cast<float>(thickness),
+                                         channelMask(plan.accumulation, slab.number)});
+            appendFan(plan.indices, plan.vertices.size(), 4);
         }
-    }
-    light.firstIndex = 0;
-    light.indexCount = static_cast<std::uint32_t>(plan.indices.size());
+    constexpr std::uint32_t perQuad = 6;
+    start += perQuad * static_cast<std::uint32_t>(range.first - first);
+    light.slices = range.end - range.first;
+    light.firstIndex = start;
+    light.indexCount = perQuad * static_cast<std::uint32_t>(light.slices);
+    PlannedPart part{static_cast<std::uint32_t>(light.light),
+                     0,
+                     light.technique,
+                     light.noise,
+                     light.shadow,
+                     light.cookie,
+                     light.firstIndex,
+                     light.indexCount,
+                     light.slices};
+    if (part.indexCount > 0) plan.parts.push_back(part);
 }
 
 }  // namespace tyndall

@@ -1,21 +1,24 @@
 // The triangles that slices are drawn with.
 //
-// Slices are numbered from the farthest to the nearest: slice i of N stands for the slab between the view
-// depths farDepth - i h and farDepth - (i + 1) h with h = (farDepth - nearDepth) / N, and lies in its
-// middle. Routed, slice i goes to channel i mod 4.
+// Slabs are numbered from the farthest to the nearest; a slice lies in its slab's middle. Routed, the slice of slab
+// number n goes to channel n mod 4.
 #pragma once
 
 #include <tyndall/plan.h>
 
-#include "light_volume.h"
+#include <vector>
+
+#include "plan_stages.h"
 
 namespace tyndall {
 
-/// Appends the light's exact polygons and sets its index range.
-void appendPolygons(Plan& plan, PlannedLight& light, const LightVolume& volume);
+/// Appends the light's exact polygons and its one or two parts: before the first occluder, where that is worth a draw
+/// of its own, and the rest. `scratch` is working memory.
+void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
+                    const PlanOptions& options, std::vector<std::uint32_t>& scratch);
 
-/// Sets the light's index range to unit-cube quads for its slices, which lights share: they differ in
-/// their bounds alone. Appends them where no light before had any.
-void appendQuads(Plan& plan, PlannedLight& light);
+/// Appends one part of unit-cube quads for the light's slabs. Even ones are shared by all lights, which then differ in
+/// their bounds alone: appended where no light before had any.
+void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, const PlanOptions& options);
 
 }  // namespace tyndall

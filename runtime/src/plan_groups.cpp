@@ -1,6 +1,7 @@
 #include "plan_groups.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "slice_constants.h"
 
@@ -12,20 +13,32 @@ bool sameTint(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::dvec3(1e-6)));
 }
 
+std::size_t groupFor(Plan& plan, const Light& light) {
+    // A black light, which is drawn where everything is, has no tint.
+    const bool tinted = plan.accumulation == Accumulation::Rgba8Routed && greyOf(light) > 0.0;
+    const glm::dvec3 tint = tinted ? light.colour / greyOf(light) : glm::dvec3(1.0);
+    const auto group = std::find_if(plan.groups.begin(), plan.groups.end(), [&](const CompositeGroup& candidate) {
+        return sameTint(glm::dvec3(candidate.tint), tint);
+    });
+    const auto index = static_cast<std::size_t>(group - plan.groups.begin());
+    if (group == plan.groups.end()) plan.groups.push_back({glm::vec3(tint), 0, 0});
+    return index;
+}
+
 }  // namespace
 
 void formGroups(Plan& plan, std::span<const Light> lights) {
-    const bool routed = plan.accumulation == Accumulation::Rgba8Routed;
-    for (std::size_t i = 0; i < plan.lights.size(); ++i) {
-        PlannedLight& planned = plan.lights[i];
-        if (!planned.drawn) continue;
-        const glm::dvec3 tint = routed ? lights[i].colour / greyOf(lights[i]) : glm::dvec3(1.0);
-        const auto group = std::find_if(plan.groups.begin(), plan.groups.end(), [&](const CompositeGroup& candidate) {
-            return sameTint(glm::dvec3(candidate.tint), tint);
-        });
-        planned.group = static_cast<std::size_t>(group - plan.groups.begin());
-        if (group == plan.groups.end()) plan.groups.push_back({glm::vec3(tint), {}});
-        plan.groups[planned.group].lights.push_back(i);
+    for (PlannedPart& part : plan.parts) {
+        PlannedLight& light = plan.lights[part.light];
+        light.group = groupFor(plan, lights[part.light]);
+        part.group = static_cast<std::uint32_t>(light.group);
+    }
+    std::sort(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& a, const PlannedPart& b) {
+        return std::tie(a.group, a.technique, a.light) < std::tie(b.group, b.technique, b.light);
+    });
+    for (std::size_t i = 0; i < plan.parts.size(); ++i) {
+        CompositeGroup& group = plan.groups[plan.parts[i].group];
+        if (group.parts++ == 0) group.firstPart = static_cast<std::uint32_t>(i);
     }
 }
 

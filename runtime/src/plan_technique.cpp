@@ -3,7 +3,6 @@
 #include <tyndall/plan.h>
 
 #include <array>
-#include <vector>
 
 namespace tyndall {
 namespace {
@@ -15,16 +14,6 @@ constexpr std::array<std::string_view, 8> names = {
     "clip_noise_noshadow_nocookie_technique",   "clip_noise_noshadow_cookie_technique",
     "clip_noise_shadow_nocookie_technique",     "clip_noise_shadow_cookie_technique",
 };
-
-// "noise", "noise and shadow", "noise, shadow and cookie"
-std::string listed(const std::vector<std::string>& words) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-        text += words[i];
-    }
-    return text;
-}
 
 }  // namespace
 
@@ -44,20 +33,6 @@ std::string_view techniqueName(bool noise, bool shadow, bool cookie) {
 
 std::string_view techniqueName(const Terms& terms) {
     return techniqueName(terms.noise, terms.shadow, terms.cookie);
-}
-
-std::string techniqueReason(const Terms& calledFor, const Terms& drawn, bool forced) {
-    if (forced && drawn == calledFor) return "The options ask for this technique, as does the light itself.";
-    if (forced)
-        return "The options ask for this technique; the light by itself calls for " +
-               std::string(techniqueName(calledFor)) + ".";
-    std::vector<std::string> wanted, spared;
-    (drawn.noise ? wanted : spared).push_back("noise");
-    (drawn.shadow ? wanted : spared).push_back("shadow");
-    (drawn.cookie ? wanted : spared).push_back("cookie");
-    if (wanted.empty()) return "The light calls for none of " + listed(spared) + ".";
-    if (spared.empty()) return "The light calls for " + listed(wanted) + ".";
-    return "The light calls for " + listed(wanted) + ", and not for " + listed(spared) + ".";
 }
 
 }  // namespace tyndall

@@ -4,7 +4,6 @@
 #include <tyndall/light.h>
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace tyndall {
@@ -21,8 +20,5 @@ Terms termsOf(const Light& light);
 std::optional<Terms> termsOf(std::string_view techniqueName);
 
 std::string_view techniqueName(const Terms& terms);
-
-/// One sentence: what the light calls for and, where `drawn` differs from it, that it was overruled.
-std::string techniqueReason(const Terms& calledFor, const Terms& drawn, bool forced);
 
 }  // namespace tyndall

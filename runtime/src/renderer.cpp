@@ -85,20 +85,19 @@ Result<void> Renderer::upload(FrameData& frame, const Plan& plan) {
     const auto indices = std::as_bytes(std::span(plan.indices));
     const VkDeviceSize room = frameBytes(gpu, vertices.size()) + frameBytes(gpu, indices.size()) +
                               frameBytes(gpu, sizeof screenTriangle) +
-                              plan.lights.size() * frameBytes(gpu, sizeof(SliceConstants)) +
+                              plan.constants.size() * frameBytes(gpu, sizeof(SliceConstants)) +
                               plan.groups.size() * frameBytes(gpu, sizeof(CompositeConstants));
     if (auto reset = resetFrame(data, room); !reset) return reset;
 
     RendererCounters& counters = impl_->counters;
-    UploadedPlan uploaded;
+    UploadedPlan& uploaded = data.plan;
     uploaded.vertexCount = plan.vertices.size();
     uploaded.indexCount = plan.indices.size();
-    uploaded.constants.resize(plan.lights.size());
-    for (std::size_t light = 0; light < plan.lights.size(); ++light) {
-        if (!plan.lights[light].drawn) continue;
-        const auto range = placeValue(data, plan.lights[light].constants, counters);
+    uploaded.constants.resize(plan.constants.size());
+    for (std::size_t i = 0; i < plan.constants.size(); ++i) {
+        const auto range = placeValue(data, plan.constants[i], counters);
         if (!range) return tl::unexpected(range.error());
-        uploaded.constants[light] = *range;
+        uploaded.constants[i] = *range;
     }
     const auto triangle = placeValue(data, screenTriangle, counters);
     if (!triangle) return tl::unexpected(triangle.error());
@@ -110,7 +109,7 @@ Result<void> Renderer::upload(FrameData& frame, const Plan& plan) {
     const auto placedVertices = place(data, vertices);
     if (!placedVertices) return tl::unexpected(placedVertices.error());
     uploaded.vertices = *placedVertices;
-    data.plan = std::move(uploaded);
+    uploaded.valid = true;
     return {};
 }
 
@@ -119,8 +118,12 @@ Result<void> checkRecording(const FrameData::Impl& frame, const Plan& plan, std:
     if (group >= plan.groups.size())
         return invalidArgument("group " + std::to_string(group) + " was asked for, the plan has " +
                                std::to_string(plan.groups.size()) + "; count from 0");
-    if (!frame.plan || frame.plan->vertexCount != plan.vertices.size() ||
-        frame.plan->indexCount != plan.indices.size() || frame.plan->constants.size() != plan.lights.size())
+    const UploadedPlan& uploaded = frame.plan;
+    const CompositeGroup& asked = plan.groups[group];
+    if (std::size_t{asked.firstPart} + asked.parts > plan.parts.size())
+        return invalidArgument("a group has parts that the plan does not have; use the plan as plan() made it");
+    if (!uploaded.valid || uploaded.vertexCount != plan.vertices.size() || uploaded.indexCount != plan.indices.size() ||
+        uploaded.constants.size() != plan.constants.size())
         return invalidArgument("the frame does not hold this plan; call upload() with it first");
     if (targets.extent.width == 0 || targets.extent.height == 0)
         return invalidArgument("the targets are " + std::to_string(targets.extent.width) + "x" +

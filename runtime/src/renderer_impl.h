@@ -19,13 +19,13 @@ struct Renderer::Impl {
     NeutralTextures neutral;
     RendererCounters counters;
 
-    /// A light of the group being recorded, resolved before rendering begins.
-    struct LightDraw {
-        const PlannedLight* light = nullptr;
+    /// A part of the group being recorded, resolved before rendering begins.
+    struct PartDraw {
+        const PlannedPart* part = nullptr;
         PassPipeline pipeline;
         std::array<NamedImage, 3> images{};
     };
-    std::vector<LightDraw> draws;  ///< kept between calls for its capacity
+    std::vector<PartDraw> draws;  ///< kept between calls for its capacity
 
     Impl() = default;
     Impl(const Impl&) = delete;

@@ -39,9 +39,9 @@ glm::vec4 shadowConstants(const Light& light, const PlanOptions& options) {
     return glm::dvec4(-n / (f - n), n * f / (f - n), options.shadowMapSize, std::min(options.shadowBias, 0.99 * n));
 }
 
-glm::vec4 dustConstants(const Light& light, const PlanOptions& options, const Terms& terms) {
+glm::vec4 dustConstants(const Light& light, const PlanOptions& options, const Terms& terms, double factor) {
     const bool physical = options.look == Look::Physical;
-    const double flat = physical ? 1.0 : article::flatDust;
+    const double flat = physical ? factor : article::flatDust;
     // A light without dust of its own, drawn with a noise technique all the same, sees a white texture in
     // its place: with this gain it looks as it would without noise.
     if (terms.noise && !light.noise) return glm::dvec4(flat, flat, 0.0, 0.0);
@@ -49,11 +49,11 @@ glm::vec4 dustConstants(const Light& light, const PlanOptions& options, const Te
     return glm::dvec4(flat, gain, 0.0, 0.0);
 }
 
-glm::vec4 colourConstants(const Light& light, const PlanOptions& options) {
+glm::vec4 colourConstants(const Light& light, const PlanOptions& options, const glm::dvec3& factor) {
     const double scattered = options.look == Look::Physical ? light.density / (4.0 * glm::pi<double>()) : 1.0;
     const bool routed = options.accumulation == Accumulation::Rgba8Routed;
     const glm::dvec3 colour = routed ? glm::dvec3(greyOf(light)) : light.colour;
-    return glm::dvec4(colour * scattered * targetScale(options), routed ? 1.0 : 0.0);
+    return glm::dvec4(colour * factor * scattered * targetScale(options), routed ? 1.0 : 0.0);
 }
 
 glm::vec4 weightConstants(const View& view, const PlanOptions& options) {
@@ -63,10 +63,10 @@ glm::vec4 weightConstants(const View& view, const PlanOptions& options) {
 
 // Bounds that hold the volume after rounding to float: slightly too large costs nothing, the clip planes
 // cut off the rest. Depth is left alone, so that both geometries have their slices at the same depths.
-void stretchOver(SliceConstants& constants, const LightVolume& volume) {
+void stretchOver(SliceConstants& constants, const LightVolume& volume, const Slabs& slabs) {
     const glm::dvec2 margin = 1e-6 * (glm::abs(volume.boundsMin) + glm::abs(volume.boundsMax)) + 1e-9;
-    constants.boundsMin = glm::dvec4(volume.boundsMin - margin, -volume.farDepth, 0.0);
-    constants.boundsMax = glm::dvec4(volume.boundsMax + margin, -volume.nearDepth, 0.0);
+    constants.boundsMin = glm::dvec4(volume.boundsMin - margin, -slabs.farDepth, 0.0);
+    constants.boundsMax = glm::dvec4(volume.boundsMax + margin, -slabs.nearDepth, 0.0);
     for (std::size_t i = 0; i < volume.planes.size() && i < std::size(constants.clipPlanes); ++i)
         constants.clipPlanes[i] = volume.planes[i];
 }
@@ -84,22 +84,23 @@ double targetScale(const PlanOptions& options) {
 }
 
 SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
-                              const LightVolume& volume, const Terms& terms) {
+                              const LightVolume& volume, const Slabs& slabs, const Terms& terms,
+                              const StandInFactors& factors) {
     SliceConstants constants{};
     constants.clipFromView = view.clipFromView;
     constants.lightFromView = pose.lightFromView;
     constants.boundsMax = {1.0f, 1.0f, 1.0f, 0.0f};
     std::fill(std::begin(constants.clipPlanes), std::end(constants.clipPlanes), keepEverything);
-    if (options.geometry == Geometry::StretchedQuads) stretchOver(constants, volume);
+    if (options.geometry == Geometry::StretchedQuads) stretchOver(constants, volume, slabs);
 
     constants.cookieScale = glm::dvec4(0.5 / glm::tan(0.5 * light.fov), 0.0, 0.0);
     constants.attenuation =
         options.look == Look::Physical ? glm::dvec4(light.intensity, light.ambient, 1.0, 0.0) : article::attenuation;
-    constants.dust = dustConstants(light, options, terms);
+    constants.dust = dustConstants(light, options, terms, factors.noise);
     const Noise noise = light.noise.value_or(Noise{});
     constants.noise1 = noiseMap(noise.scale, noise.scroll1, options.time);
     constants.noise2 = noiseMap(noise.scale, noise.scroll2, options.time);
-    constants.colour = colourConstants(light, options);
+    constants.colour = colourConstants(light, options, factors.cookie);
     constants.weight = weightConstants(view, options);
     constants.shadow = shadowConstants(light, options);
     return constants;

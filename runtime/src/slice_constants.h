@@ -5,6 +5,7 @@
 
 #include "light_volume.h"
 #include "plan_technique.h"
+#include "slabs.h"
 #include "view_pose.h"
 
 namespace tyndall {
@@ -13,8 +14,15 @@ namespace tyndall {
 /// group's tint is normalised by, so that the strongest channel uses the whole range of the target.
 double greyOf(const Light& light);
 
+/// What stands in for the terms that are not drawn.
+struct StandInFactors {
+    glm::dvec3 cookie{1.0};
+    double noise = 1.0;
+};
+
 SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
-                              const LightVolume& volume, const Terms& terms);
+                              const LightVolume& volume, const Slabs& slabs, const Terms& terms,
+                              const StandInFactors& factors = {});
 
 /// Every number in it is finite.
 bool isFinite(const SliceConstants& constants);

@@ -65,6 +65,24 @@ SlicePolygon slicePolygon(const glm::dvec2& rectangleMin, const glm::dvec2& rect
     return *polygon;
 }
 
+void split(const SlicePolygon& whole, const glm::dvec2& normal, double offset, SlicePolygon& inside,
+           SlicePolygon& outside) {
+    inside.count = outside.count = 0;
+    for (std::size_t i = 0; i < whole.count; ++i) {
+        const glm::dvec2 &corner = whole.corners[i], &following = whole.corners[i + 1 < whole.count ? i + 1 : 0];
+        const double here = glm::dot(normal, corner) + offset, there = glm::dot(normal, following) + offset;
+        if (here >= 0.0) add(inside, corner);
+        if (here <= 0.0) add(outside, corner);
+        if ((here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0)) {
+            const glm::dvec2 crossing = glm::mix(corner, following, here / (here - there));
+            add(inside, crossing);
+            add(outside, crossing);
+        }
+    }
+    for (SlicePolygon* part : {&inside, &outside})
+        if (part->count < 3 || !(area(*part) > 0.0)) part->count = 0;
+}
+
 double area(const SlicePolygon& polygon) {
     double twice = 0.0;
     for (std::size_t i = 2; i < polygon.count; ++i)

@@ -9,9 +9,9 @@
 namespace tyndall {
 
 struct SlicePolygon {
-    /// A rectangle gains at most one corner from each half plane: 4 + 6 of the pyramid + 6 clip planes + 4 of
-    /// the guard band. Corners beyond the capacity, which only rounding could make, are dropped.
-    static constexpr std::size_t capacity = 24;
+    /// A rectangle gains at most one corner from each half plane: 4 + 6 of the pyramid + 6 clip planes + 4 walls + 4
+    /// of the guard band + 1 of a partition. Corners beyond the capacity, which only rounding could make, are dropped.
+    static constexpr std::size_t capacity = 28;
     std::array<glm::dvec2, capacity> corners;  ///< view-space x and y, counter-clockwise as the eye sees it
     std::size_t count = 0;                     ///< 0, or at least 3
 };
@@ -20,6 +20,11 @@ struct SlicePolygon {
 /// What has no area is empty.
 SlicePolygon slicePolygon(const glm::dvec2& rectangleMin, const glm::dvec2& rectangleMax,
                           std::span<const glm::dvec4> planes, double depth);
+
+/// The parts of a polygon with dot(normal, p) + offset >= 0 and < 0. Both share the corners on the line, bit for bit:
+/// drawn side by side they cover every pixel once. What has no area is empty.
+void split(const SlicePolygon& whole, const glm::dvec2& normal, double offset, SlicePolygon& inside,
+           SlicePolygon& outside);
 
 /// Square metres, positive for a counter-clockwise polygon.
 double area(const SlicePolygon& polygon);

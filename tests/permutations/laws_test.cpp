@@ -118,7 +118,7 @@ TEST_P(ShadowLawTest, FullOcclusionLeavesNothing) {
 /// of it there.
 DrawOptions withDepthMoved(float by) {
     DrawOptions options;
-    options.change = [by](Plan& plan) { plan.lights.at(0).constants.shadow.x += by; };
+    options.change = [by](Plan& plan) { plan.constants.at(0).shadow.x += by; };
     return options;
 }
 
@@ -140,7 +140,7 @@ TEST_P(LawTest, NothingBehindTheLamp) {
     options.change = [](Plan& plan) {
         glm::mat4 turned(1.0f);
         turned[0][0] = turned[2][2] = -1.0f;  // half a turn about y
-        SliceConstants& constants = plan.lights.at(0).constants;
+        SliceConstants& constants = plan.constants.at(0);
         constants.lightFromView = turned * constants.lightFromView;
     };
     Shot shot = shotFor(GetParam(), everyTerm());
@@ -179,7 +179,7 @@ TEST_P(NoiseLawTest, EachMapHasAScaleAndAPhaseOfItsOwn) {
         SCOPED_TRACE(map);
         DrawOptions still;
         still.change = [&](Plan& plan) {
-            SliceConstants& constants = plan.lights.at(0).constants;
+            SliceConstants& constants = plan.constants.at(0);
             (map == 0 ? constants.noise1 : constants.noise2) = glm::vec4(0.0f, 0.0f, middle, middle);
         };
         Shot even = shot;

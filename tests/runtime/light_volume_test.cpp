@@ -54,7 +54,8 @@ TEST(ConvexPolyhedron, GivesWayOnlyToPlanesThatLeaveSomething) {
 }
 
 LightVolume volumeOf(const Light& light, const View& view) {
-    return lightVolume(light, view, lightPose(light.worldFromLight, view.worldFromView));
+    ConvexPolyhedron seen;
+    return lightVolume(light, view, lightPose(light.worldFromLight, view.worldFromView), {}, seen);
 }
 
 Light lampAt(const glm::dvec3& position, const glm::dvec3& direction) {
@@ -66,9 +67,9 @@ Light lampAt(const glm::dvec3& position, const glm::dvec3& direction) {
 
 TEST(LightVolume, SpansNearToFarAlongTheView) {
     const LightVolume volume = volumeOf(lampAt({0, 0, -2}, {0, 0, -1}), wideView(glm::dmat4(1.0)));
-    EXPECT_EQ(volume.hidden, Hidden::No);
+    EXPECT_EQ(volume.hidden, Verdict::Drawn);
     EXPECT_NEAR(volume.nearDepth, 2.5, 1e-14);
-    EXPECT_NEAR(volume.farDepth, 8.0, 1e-14);
+    EXPECT_NEAR(volume.farShown, 8.0, 1e-14);
     EXPECT_NEAR(volume.boundsMax.x, 6.0 * std::tan(20.0 * degrees), 1e-14);
     EXPECT_NEAR(volume.boundsMin.y, -6.0 * std::tan(12.0 * degrees), 1e-14);
 }
@@ -78,28 +79,27 @@ TEST(LightVolume, StartsAtTheNearPlaneWithTheEyeInside) {
     for (const glm::dvec3 direction :
          {glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
         const LightVolume volume = volumeOf(lampAt(-3.0 * direction, direction), view);
-        EXPECT_EQ(volume.hidden, Hidden::No);
+        EXPECT_EQ(volume.hidden, Verdict::Drawn);
         EXPECT_NEAR(volume.nearDepth, view.nearPlane, 1e-14);
     }
     // Looking the other way down the beam, what is seen ends where the beam starts.
-    EXPECT_NEAR(volumeOf(lampAt({0, 0, -3}, {0, 0, 1}), view).farDepth, 2.5, 1e-14);
+    EXPECT_NEAR(volumeOf(lampAt({0, 0, -3}, {0, 0, 1}), view).farShown, 2.5, 1e-14);
 }
 
 TEST(LightVolume, EndsAtTheFarPlaneAndAtTheScene) {
     const Light light = lampAt({0, 0, -2}, {0, 0, -1});
     View view = wideView(glm::dmat4(1.0));
     view.farPlane = 7.0;
-    EXPECT_NEAR(volumeOf(light, view).farDepth, 7.0, 1e-14);
+    EXPECT_NEAR(volumeOf(light, view).farShown, 7.0, 1e-14);
     view.sceneDepth = 5.0;
-    EXPECT_NEAR(volumeOf(light, view).farDepth, 5.0, 1e-14);
-    EXPECT_NEAR(volumeOf(light, view).boundsMax.x, 3.0 * std::tan(20.0 * degrees), 1e-14);
+    EXPECT_NEAR(volumeOf(light, view).farShown, 5.0, 1e-14);
 }
 
 TEST(LightVolume, IsCutByClipPlanes) {
     Light light = lampAt({0, 0, -2}, {0, 0, -1});
     light.clipPlanes = {{0.0, 0.0, 2.0, 10.0}};  // keeps z >= -5
     const LightVolume volume = volumeOf(light, wideView(glm::dmat4(1.0)));
-    EXPECT_NEAR(volume.farDepth, 5.0, 1e-14);
+    EXPECT_NEAR(volume.farShown, 5.0, 1e-14);
     ASSERT_EQ(volume.planes.size(), 7u);
     EXPECT_NEAR(volume.planes[6].w, 5.0, 1e-14) << "unit normal";
 }
@@ -108,7 +108,7 @@ struct HiddenCase {
     const char* name;
     Light light;
     View view;
-    Hidden hidden;
+    Verdict hidden;
 };
 
 std::vector<HiddenCase> hiddenCases() {
@@ -127,25 +127,25 @@ std::vector<HiddenCase> hiddenCases() {
     const Light ahead = lampAt({0, 0, -2}, {0, 0, -1});
     const Light backwards = lampAt({0, 0, 2}, {0, 0, 1});
     return {
-        {"before the eye", ahead, view, Hidden::No},
-        {"behind, looking away", backwards, view, Hidden::BehindEye},
-        {"behind, across", lampAt({-3, 0, 8}, {1, 0, 0}), view, Hidden::BehindEye},
-        {"behind, ending at the eye's plane", lampAt({0, 0, 6}, {0, 0, -1}), view, Hidden::BehindEye},
-        {"ending just before the near plane", lampAt({0, 0, 5.95}, {0, 0, -1}), view, Hidden::BeforeNear},
-        {"ending just beyond the near plane", lampAt({0, 0, 5.8}, {0, 0, -1}), view, Hidden::No},
-        {"beyond far", ahead, with(0.1, 2.4, 1e300), Hidden::BeyondFar},
-        {"touching far", ahead, with(0.1, 2.5, 1e300), Hidden::BeyondFar},
-        {"reaching into far", ahead, with(0.1, 2.6, 1e300), Hidden::No},
-        {"behind the wall", ahead, with(0.1, infinity, 2.4), Hidden::BehindScene},
-        {"wall before the near plane", ahead, with(0.1, infinity, 0.05), Hidden::BehindScene},
-        {"cut away by two planes", cutAway, view, Hidden::ClipPlanes},
-        {"touched by its clip plane", grazed, view, Hidden::ClipPlanes},
-        {"left of the picture", lampAt({-20, 0, -5}, {0, 0, -1}), view, Hidden::BesideView},
-        {"below the picture", lampAt({0, -20, -5}, {0, 0, -1}), view, Hidden::BesideView},
-        {"shining into the picture from the left", lampAt({-8, 0, -5}, {1, 0, 0}), view, Hidden::No},
+        {"before the eye", ahead, view, Verdict::Drawn},
+        {"behind, looking away", backwards, view, Verdict::BehindEye},
+        {"behind, across", lampAt({-3, 0, 8}, {1, 0, 0}), view, Verdict::BehindEye},
+        {"behind, ending at the eye's plane", lampAt({0, 0, 6}, {0, 0, -1}), view, Verdict::BehindEye},
+        {"ending just before the near plane", lampAt({0, 0, 5.95}, {0, 0, -1}), view, Verdict::BeforeNear},
+        {"ending just beyond the near plane", lampAt({0, 0, 5.8}, {0, 0, -1}), view, Verdict::Drawn},
+        {"beyond far", ahead, with(0.1, 2.4, 1e300), Verdict::BeyondFar},
+        {"touching far", ahead, with(0.1, 2.5, 1e300), Verdict::BeyondFar},
+        {"reaching into far", ahead, with(0.1, 2.6, 1e300), Verdict::Drawn},
+        {"behind the wall", ahead, with(0.1, infinity, 2.4), Verdict::BehindScene},
+        {"wall before the near plane", ahead, with(0.1, infinity, 0.05), Verdict::BehindScene},
+        {"cut away by two planes", cutAway, view, Verdict::ClipPlanes},
+        {"touched by its clip plane", grazed, view, Verdict::ClipPlanes},
+        {"left of the picture", lampAt({-20, 0, -5}, {0, 0, -1}), view, Verdict::BesideView},
+        {"below the picture", lampAt({0, -20, -5}, {0, 0, -1}), view, Verdict::BesideView},
+        {"shining into the picture from the left", lampAt({-8, 0, -5}, {1, 0, 0}), view, Verdict::Drawn},
         // No corner of it is seen, and no corner of the picture lies in it at any one depth alone.
-        {"across the picture", lampAt({-4, 0, -2.5}, {1, 0, 0}), view, Hidden::No},
-        {"around the eye", lampAt({0, 0, 3}, {0, 0, -1}), view, Hidden::No},
+        {"across the picture", lampAt({-4, 0, -2.5}, {1, 0, 0}), view, Verdict::Drawn},
+        {"around the eye", lampAt({0, 0, 3}, {0, 0, -1}), view, Verdict::Drawn},
     };
 }
 
@@ -153,10 +153,8 @@ TEST(LightVolume, SaysWhatHidesIt) {
     for (const HiddenCase& c : hiddenCases()) {
         const LightVolume volume = volumeOf(c.light, c.view);
         EXPECT_EQ(volume.hidden, c.hidden) << c.name;
-        if (c.hidden == Hidden::No) {
-            EXPECT_LT(volume.nearDepth, volume.farDepth) << c.name;
-        } else {
-            EXPECT_EQ(volume.farDepth, 0.0) << c.name;
+        if (c.hidden == Verdict::Drawn) {
+            EXPECT_LT(volume.nearDepth, volume.farShown) << c.name;
         }
     }
 }
@@ -171,12 +169,12 @@ TEST(LightVolume, KeepsExactlyToTheViewsDepths) {
         light.worldFromLight = rigidMotion(random, 6.0);
         view.sceneDepth = trial % 2 ? 1.0e300 : 5.1;
         const LightVolume volume = volumeOf(light, view);
-        if (volume.hidden != Hidden::No) continue;
+        if (volume.hidden != Verdict::Drawn) continue;
         EXPECT_GE(volume.nearDepth, view.nearPlane);
-        EXPECT_LE(volume.farDepth, std::min(view.farPlane, view.sceneDepth));
+        EXPECT_LE(volume.farShown, std::min(view.farPlane, view.sceneDepth));
         cutNear += volume.nearDepth == view.nearPlane;
-        cutFar += volume.farDepth == view.farPlane;
-        cutByScene += volume.farDepth == view.sceneDepth;
+        cutFar += volume.farShown == view.farPlane;
+        cutByScene += volume.farShown == view.sceneDepth;
     }
     EXPECT_GT(std::min({cutNear, cutFar, cutByScene}), 20);
 }
@@ -190,7 +188,7 @@ TEST(LightVolume, HidesNothingThatShows) {
         Light light = projector();
         light.worldFromLight = rigidMotion(random, 10.0);
         const LightVolume volume = volumeOf(light, view);
-        if (volume.hidden == Hidden::No) continue;
+        if (volume.hidden == Verdict::Drawn) continue;
         ++hidden;
         for (int sample = 0; sample < 50; ++sample) {
             const double axis = between(random, light.nearPlane, light.farPlane);
@@ -211,14 +209,14 @@ TEST(LightVolume, StandsDegeneratePoses) {
     const View view = perspectiveView(glm::dmat4(1.0), 40.0 * degrees, 1.0, 0.5, 6.0);
     Light light = projector();
     light.fov = {40.0 * degrees, 40.0 * degrees};  // the very frustum of the view
-    EXPECT_EQ(volumeOf(light, view).hidden, Hidden::No);
-    EXPECT_NEAR(volumeOf(light, view).farDepth, 6.0, 1e-14);
+    EXPECT_EQ(volumeOf(light, view).hidden, Verdict::Drawn);
+    EXPECT_NEAR(volumeOf(light, view).farShown, 6.0, 1e-14);
     for (int turn = -50; turn <= 50; ++turn) {
         light.worldFromLight = pose(glm::angleAxis(turn * 1e-17 + turn * 1e-15, glm::dvec3(0.6, 0.8, 0.0)), {0, 0, 0});
         const LightVolume volume = volumeOf(light, view);
-        EXPECT_EQ(volume.hidden, Hidden::No);
+        EXPECT_EQ(volume.hidden, Verdict::Drawn);
         EXPECT_NEAR(volume.nearDepth, 0.5, 1e-12);
-        EXPECT_NEAR(volume.farDepth, 6.0, 1e-12);
+        EXPECT_NEAR(volume.farShown, 6.0, 1e-12);
     }
 }
 

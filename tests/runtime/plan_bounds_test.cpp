@@ -50,7 +50,7 @@ TEST(Bounds, TheUnbrokenCaseIsPlanned) {
     Given given;
     const Result<Plan> result = plan({&given.light, 1}, given.view, given.options);
     ASSERT_TRUE(result.has_value()) << result.error().message;
-    EXPECT_TRUE(result->lights[0].drawn) << result->lights[0].reason;
+    EXPECT_TRUE(result->lights[0].drawn) << reason(result->lights[0], given.view);
 }
 
 TEST(Bounds, OfALight) {

@@ -11,7 +11,7 @@ using namespace test;
 SliceConstants constantsOf(const Scene& scene, const PlanOptions& options) {
     const Plan result = planned({scene.light}, scene.view, options);
     EXPECT_TRUE(!result.lights.empty() && result.lights[0].drawn);
-    return result.lights.empty() ? SliceConstants{} : result.lights[0].constants;
+    return result.constants.empty() ? SliceConstants{} : result.constants[0];
 }
 
 Scene someScene() {

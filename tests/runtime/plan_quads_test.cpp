@@ -52,7 +52,7 @@ TEST(Quads, LieAtTheDepthsOfThePolygonsAndAroundThem) {
         const Scene scene = randomScene(random);
         const Plan exact = planned({scene.light}, scene.view, slices(16));
         const Plan published = planned({scene.light}, scene.view, quads(16));
-        const SliceConstants& constants = published.lights[0].constants;
+        const SliceConstants& constants = constantsOf(published, 0);
         EXPECT_EQ(exact.lights[0].nearDepth, published.lights[0].nearDepth);
         EXPECT_EQ(exact.lights[0].farDepth, published.lights[0].farDepth);
 
@@ -80,9 +80,10 @@ TEST(Quads, HoldTheWholeVolumeAfterRounding) {
     Random random(5);
     for (int trial = 0; trial < 200; ++trial) {
         const Scene scene = randomScene(random);
-        const SliceConstants constants = planned({scene.light}, scene.view, quads(16)).lights[0].constants;
-        const LightVolume volume =
-            lightVolume(scene.light, scene.view, lightPose(scene.light.worldFromLight, scene.view.worldFromView));
+        const SliceConstants constants = constantsOf(planned({scene.light}, scene.view, quads(16)), 0);
+        ConvexPolyhedron seen;
+        const LightVolume volume = lightVolume(
+            scene.light, scene.view, lightPose(scene.light.worldFromLight, scene.view.worldFromView), {}, seen);
         for (int axis = 0; axis < 2; ++axis) {
             EXPECT_LE(static_cast<double>(constants.boundsMin[axis]), volume.boundsMin[axis]);
             EXPECT_GE(static_cast<double>(constants.boundsMax[axis]), volume.boundsMax[axis]);
@@ -101,7 +102,7 @@ TEST(Quads, AreCutToTheVolume) {
             scene.light.clipPlanes.push_back({2.0 * normal, 0.6 - 2.0 * glm::dot(normal, middle)});
         }
         const Plan result = planned({scene.light}, scene.view, quads(16));
-        const SliceConstants& constants = result.lights[0].constants;
+        const SliceConstants& constants = constantsOf(result, 0);
         for (int sample = 0; sample < 500; ++sample) {
             const glm::dvec3 unit(glm::dvec3(0.5) + inCube(random, 0.5));
             const Stretched at = stretched(constants, unit, 0.0);
@@ -127,14 +128,14 @@ TEST(Quads, AreShared) {
     EXPECT_EQ(result.vertices.size(), 32u);
     EXPECT_EQ(result.lights[1].firstIndex, 0u);
     EXPECT_EQ(result.lights[1].indexCount, 48u);
-    EXPECT_NE(result.lights[0].constants.boundsMin, result.lights[1].constants.boundsMin);
+    EXPECT_NE(constantsOf(result, 0).boundsMin, constantsOf(result, 1).boundsMin);
 }
 
 TEST(Polygons, ComeWithBoundsAndPlanesThatChangeNothing) {
     Random random(5);
     const Scene scene = randomScene(random);
     const Plan result = planned({scene.light}, scene.view, slices(8));
-    const SliceConstants& constants = result.lights[0].constants;
+    const SliceConstants& constants = constantsOf(result, 0);
     for (const SliceVertex& vertex : result.vertices) {
         const Stretched at = stretched(constants, vertex.position, vertex.thickness);
         EXPECT_EQ(at.position, glm::dvec3(vertex.position));

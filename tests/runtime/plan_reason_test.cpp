@@ -40,7 +40,7 @@ TEST(Technique, IsWhatTheLightCallsFor) {
 
 TEST(Technique, CanBeForced) {
     Random random(2);
-    const Scene scene = randomScene(random);
+    Scene scene = randomScene(random);
     PlanOptions options = slices(4);
     {
         const std::string shortLived = "clip_noise_shadow_cookie_technique";
@@ -48,26 +48,27 @@ TEST(Technique, CanBeForced) {
         const Plan result = planned({scene.light}, scene.view, options);
         EXPECT_EQ(result.lights[0].technique.data(), techniqueName(true, true, true).data()) << "outlives the options";
         EXPECT_TRUE(result.lights[0].noise && result.lights[0].shadow && result.lights[0].cookie);
-        EXPECT_EQ(result.lights[0].reason,
-                  "The options ask for this technique; the light by itself calls for "
-                  "clip_nonoise_noshadow_nocookie_technique.");
+        EXPECT_EQ(reason(result.lights[0], scene.view),
+                  "The options ask for this technique, whatever the light calls for.");
     }
     options.technique = "clip_nonoise_noshadow_nocookie_technique";
-    EXPECT_EQ(planned({scene.light}, scene.view, options).lights[0].reason,
-              "The options ask for this technique, as does the light itself.");
+    scene.light.shadow = true;
+    const PlannedLight light = planned({scene.light}, scene.view, options).lights[0];
+    EXPECT_EQ(light.shadowVerdict, TermVerdict::Overruled);
+    EXPECT_EQ(savings(light), std::vector<std::string>{"No shadow: the options leave it out."});
 }
 
 TEST(Reason, TellsWhatIsSpared) {
     Random random(3);
     Scene scene = randomScene(random);
-    const auto reason = [&] { return planned({scene.light}, scene.view, slices(4)).lights[0].reason; };
-    EXPECT_EQ(reason(), "The light calls for none of noise, shadow and cookie.");
+    const auto why = [&] { return reason(planned({scene.light}, scene.view, slices(4)).lights[0], scene.view); };
+    EXPECT_EQ(why(), "The view calls for none of noise, shadow and cookie.");
     scene.light.cookie = true;
-    EXPECT_EQ(reason(), "The light calls for cookie, and not for noise and shadow.");
+    EXPECT_EQ(why(), "The view calls for cookie, and not for noise and shadow.");
     scene.light.shadow = true;
-    EXPECT_EQ(reason(), "The light calls for shadow and cookie, and not for noise.");
+    EXPECT_EQ(why(), "The view calls for shadow and cookie, and not for noise.");
     scene.light.noise = Noise{};
-    EXPECT_EQ(reason(), "The light calls for noise, shadow and cookie.");
+    EXPECT_EQ(why(), "The view calls for noise, shadow and cookie.");
 }
 
 struct UndrawnCase {
@@ -101,7 +102,7 @@ TEST(Reason, TellsWhyNothingIsDrawn) {
             ASSERT_EQ(result.lights.size(), 1u);
             const PlannedLight& light = result.lights[0];
             EXPECT_FALSE(light.drawn) << c.word;
-            EXPECT_NE(light.reason.find(c.word), std::string::npos) << light.reason;
+            EXPECT_NE(reason(light, scene.view).find(c.word), std::string::npos) << reason(light, scene.view);
             EXPECT_EQ(light.slices, 0);
             EXPECT_EQ(light.indexCount, 0u);
             EXPECT_TRUE(result.vertices.empty() && result.indices.empty() && result.groups.empty());

@@ -58,8 +58,8 @@ TEST(Routed, GreyTimesTintIsTheColour) {
     PlanOptions options = routed(8);
     options.range = 4.0;
     const Plan result = planned({scene.light}, scene.view, options);
-    const glm::dvec3 shaderColour(result.lights[0].constants.colour);
-    EXPECT_EQ(result.lights[0].constants.colour.w, 1.0f);
+    const glm::dvec3 shaderColour(constantsOf(result, 0).colour);
+    EXPECT_EQ(constantsOf(result, 0).colour.w, 1.0f);
     const double grey = glm::dot(shaderColour, glm::dvec3(0.2126, 0.7152, 0.0722));
     const glm::dvec3 composited = grey * glm::dvec3(result.groups.at(0).tint) / result.scale;
     for (int channel = 0; channel < 3; ++channel)
@@ -87,16 +87,16 @@ TEST(Routed, LightsOfOneChromaticityShareAGroup) {
     lights[5].colour = {1.0, 1.0, 1.0};
     Plan result = planned(lights, scene.view, routed(8));
     ASSERT_EQ(result.groups.size(), 3u);
-    EXPECT_EQ(result.groups[0].lights, (std::vector<std::size_t>{0, 1, 4}));
-    EXPECT_EQ(result.groups[1].lights, (std::vector<std::size_t>{2}));
-    EXPECT_EQ(result.groups[2].lights, (std::vector<std::size_t>{5}));
+    EXPECT_EQ(lightsOf(result, 0), (std::vector<std::size_t>{0, 1, 4}));
+    EXPECT_EQ(lightsOf(result, 1), (std::vector<std::size_t>{2}));
+    EXPECT_EQ(lightsOf(result, 2), (std::vector<std::size_t>{5}));
     for (std::size_t group = 0; group < 3; ++group)
-        for (const std::size_t light : result.groups[group].lights) EXPECT_EQ(result.lights[light].group, group);
+        for (const std::size_t light : lightsOf(result, group)) EXPECT_EQ(result.lights[light].group, group);
 
     PlanOptions options = slices(8);
     result = planned(lights, scene.view, options);
     ASSERT_EQ(result.groups.size(), 1u);
-    EXPECT_EQ(result.groups[0].lights, (std::vector<std::size_t>{0, 1, 2, 4, 5}));
+    EXPECT_EQ(lightsOf(result, 0), (std::vector<std::size_t>{0, 1, 2, 4, 5}));
     EXPECT_EQ(result.groups[0].tint, glm::vec3(1.0f));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <tyndall/explain.h>
 #include <tyndall/plan.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <vector>
 
 namespace tyndall::test {
@@ -168,6 +170,19 @@ inline Plan planned(const std::vector<Light>& lights, const View& view, const Pl
     Result<Plan> result = plan(lights, view, options);
     EXPECT_TRUE(result.has_value()) << (result ? "" : result.error().message);
     return result ? *std::move(result) : Plan{};
+}
+
+/// The uniform block of a light that is drawn.
+inline const SliceConstants& constantsOf(const Plan& plan, std::size_t light) {
+    return plan.constants.at(plan.lights.at(light).constants);
+}
+
+/// The lights of a group, each once, in ascending order.
+inline std::vector<std::size_t> lightsOf(const Plan& plan, std::size_t group) {
+    const CompositeGroup& found = plan.groups.at(group);
+    std::set<std::size_t> lights;
+    for (std::uint32_t i = 0; i < found.parts; ++i) lights.insert(plan.parts.at(found.firstPart + i).light);
+    return {lights.begin(), lights.end()};
 }
 
 inline PlanOptions slices(int number) {

@@ -21,7 +21,7 @@ TEST(Slices, SlabsAddUpToThePyramid) {
         const Scene scene = randomScene(random);
         for (const int number : {16, 64, 256, 1024}) {
             const Plan result = planned({scene.light}, scene.view, slices(number));
-            ASSERT_TRUE(result.lights[0].drawn) << result.lights[0].reason;
+            ASSERT_TRUE(result.lights[0].drawn) << reason(result.lights[0], scene.view);
             EXPECT_NEAR(summedVolume(result, result.lights[0]) / pyramidVolume(scene.light), 1.0, midpointError(number))
                 << number << " slices, trial " << trial;
         }
@@ -167,7 +167,7 @@ void expectChords(const Scene& scene, int number, Random& random) {
     const Plan result = planned({scene.light}, scene.view, slices(number));
     const PlannedLight& light = result.lights[0];
     const auto found = slicesOf(result, light);
-    const glm::vec4 weight = light.constants.weight;
+    const glm::vec4 weight = constantsOf(result, 0).weight;
     const double slab = (light.farDepth - light.nearDepth) / number;
     for (int ray = 0; ray < 100; ++ray) {
         const double axis = between(random, 0.5, 6.0);
@@ -231,8 +231,8 @@ TEST(Slices, StayPutWhenTheWorldMoves) {
             EXPECT_NEAR(before.lights[0].farDepth, after.lights[0].farDepth, 1e-8);
             for (int column = 0; column < 4; ++column)
                 for (int row = 0; row < 4; ++row)
-                    EXPECT_NEAR(before.lights[0].constants.lightFromView[column][row],
-                                after.lights[0].constants.lightFromView[column][row], tolerance);
+                    EXPECT_NEAR(constantsOf(before, 0).lightFromView[column][row],
+                                constantsOf(after, 0).lightFromView[column][row], tolerance);
         }
     }
 }
@@ -251,7 +251,7 @@ TEST(Slices, OfManyLightsAreThoseOfEach) {
         EXPECT_EQ(both.vertices[both.indices[light.firstIndex + i]].position,
                   alone.vertices[alone.indices[i]].position);
     ASSERT_EQ(both.groups.size(), 1u);
-    EXPECT_EQ(both.groups[0].lights, (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(lightsOf(both, 0), (std::vector<std::size_t>{0, 1}));
 }
 
 TEST(Slices, KeepToTheGuardBandHoweverLargeTheLight) {
@@ -264,9 +264,9 @@ TEST(Slices, KeepToTheGuardBandHoweverLargeTheLight) {
         PlanOptions options = slices(50);
         options.geometry = geometry;
         const Plan result = planned({light}, view, options);
-        ASSERT_TRUE(result.lights[0].drawn) << result.lights[0].reason;
+        ASSERT_TRUE(result.lights[0].drawn) << reason(result.lights[0], view);
         EXPECT_GT(result.lights[0].indexCount, 100u);
-        const SliceConstants& constants = result.lights[0].constants;
+        const SliceConstants& constants = constantsOf(result, 0);
         for (const SliceVertex& vertex : result.vertices) {
             const glm::vec4 p(glm::vec3(constants.boundsMin) +
                                   (glm::vec3(constants.boundsMax) - glm::vec3(constants.boundsMin)) * vertex.position,

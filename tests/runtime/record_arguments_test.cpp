@@ -80,7 +80,7 @@ TEST_F(RecordArguments, TooFewTextures) {
 
 TEST_F(RecordArguments, UnknownTechnique) {
     Frame frame;
-    frame.plan.lights[0].technique = "clip_rain_technique";
+    frame.plan.parts[0].technique = "clip_rain_technique";
     expectError(frame.record(), ErrorCode::InvalidArgument, "clip_rain_technique");
 }
 
@@ -92,13 +92,25 @@ TEST_F(RecordArguments, LightOfAGroupThatIsNotDrawn) {
 
 TEST_F(RecordArguments, GroupThatNamesALightBeyondThePlan) {
     Frame frame;
-    frame.plan.groups[0].lights[0] = 5;
+    frame.plan.parts[0].light = 5;
     expectError(frame.record(), ErrorCode::InvalidArgument, "light 5");
+}
+
+TEST_F(RecordArguments, GroupWithPartsBeyondThePlan) {
+    Frame frame;
+    frame.plan.groups[0].parts = 7;
+    expectError(frame.record(), ErrorCode::InvalidArgument, "parts");
+}
+
+TEST_F(RecordArguments, ConstantsBeyondThePlan) {
+    Frame frame;
+    frame.plan.lights[0].constants = 7;
+    expectError(frame.record(), ErrorCode::InvalidArgument, "constants");
 }
 
 TEST_F(RecordArguments, IndicesBeyondThePlan) {
     Frame frame;
-    frame.plan.lights[0].indexCount += 3;
+    frame.plan.parts[0].indexCount += 3;
     expectError(frame.record(), ErrorCode::InvalidArgument, "indices");
     frame.plan.indices[0] = static_cast<std::uint32_t>(frame.plan.vertices.size());
     expectError(gpu().frozen.upload(frame.data, frame.plan), ErrorCode::InvalidArgument, "beyond its vertices");

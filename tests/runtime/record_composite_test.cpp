@@ -13,7 +13,7 @@ Plan emptyPlan(Accumulation accumulation, double scale, glm::vec3 tint) {
     Plan plan;
     plan.accumulation = accumulation;
     plan.scale = scale;
-    plan.groups.push_back({tint, {}});
+    plan.groups.push_back({tint, 0, 0});
     return plan;
 }
 

@@ -1,4 +1,5 @@
 #include <headless/device.h>
+#include <tyndall/explain.h>
 
 #include <filesystem>
 
@@ -61,7 +62,7 @@ Outcome<Said> render(const RenderOptions& options) {
     for (const PlannedLight& light : planned->plan.lights)
         if (!light.drawn)
             said.notes.push_back(
-                fmt::format("note: light \"{}\": {}", planned->lights[light.light].name, light.reason));
+                fmt::format("note: light \"{}\": {}", planned->lights[light.light].name, reason(light, planned->view)));
     std::error_code error;
     said.notes.push_back(fmt::format("wrote {}", std::filesystem::absolute(options.output, error).string()));
     return said;

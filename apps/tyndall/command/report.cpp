@@ -1,5 +1,7 @@
 #include "report.h"
 
+#include <tyndall/explain.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -49,7 +51,7 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
         nlohmann::ordered_json entry;
         entry["name"] = source.name;
         entry["drawn"] = light.drawn;
-        entry["reason"] = light.reason;
+        entry["reason"] = reason(light, planned.view);
         if (light.drawn) {
             entry["technique"] = light.technique;
             entry["noise"] = light.noise;
@@ -103,7 +105,7 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
             fmt::format("\nlight \"{}\": {}\n  {:g} cd, {:g} x {:g} degrees, from {:g} to {:g} m, density {:g} /m\n",
                         source.name, light.drawn ? "drawn" : "not drawn", source.intensity, source.fov.x / degree,
                         source.fov.y / degree, source.nearPlane, source.farPlane, source.density);
-        text += fmt::format("  {}\n", light.reason);
+        text += fmt::format("  {}\n", reason(light, planned.view));
         if (!light.drawn) continue;
         text += fmt::format("  technique {}: {}\n", light.technique,
                             terms(light, planned.scene.lights[light.light], source));

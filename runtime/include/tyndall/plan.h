@@ -4,10 +4,12 @@
 #include <tyndall/light.h>
 #include <tyndall/result.h>
 #include <tyndall/slice_data.h>
+#include <tyndall/surroundings.h>
 #include <tyndall/view.h>
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,8 +39,18 @@ enum class Look {
                ///< flat, weight 9/f with f the slices over 100; no slab thickness, slant, density or gain
 };
 
+/// How the slabs of a light lie.
+enum class Spacing {
+    Even,      ///< as many as asked for, equally thick over the depths that the light's volume spans
+    Adaptive,  ///< as many as needed: a slab's thickness grows with its distance from the lamp, as do a cookie's
+               ///< and a shadow map's texels, and is never below a few pixels. They are counted from the lamp's own
+               ///< depth, and the outermost end where the volume does: so nothing steps as eye or light move.
+               ///< Look::Article, whose constants belong to equal slabs, keeps Even
+};
+
 struct PlanOptions {
-    int slices = 100;  ///< a light, 1 to 65536; a multiple of 4 when routed
+    int slices = 100;  ///< a light, 1 to 65536; a multiple of 4 when routed. Adaptive: at most so many, or 2
+    Spacing spacing = Spacing::Even;
     Geometry geometry = Geometry::ExactPolygons;
     Accumulation accumulation = Accumulation::Rgba16f;
     Look look = Look::Physical;
@@ -50,20 +62,75 @@ struct PlanOptions {
                                                 ///< nearPlane takes effect, or points would fall behind the lamp
     std::optional<std::string_view> technique;  ///< draws every light with this one, whatever it calls for; a
                                                 ///< light that lacks what it reads sees a neutral texture there
+    std::uint32_t pictureHeight = 0;            ///< pixels; for Spacing::Adaptive. 0: as fine as the rest asks for
+    double displayStep = 0.0;                   ///< radiance of the smallest step that the display shows, 0 or more.
+                                                ///< What is too faint to be seen is left out: at each pixel all that
+                                                ///< is left out adds up to a quarter step at most. 0: nothing is
+    bool everything = false;                    ///< leaves nothing out, to compare with: every light is drawn over
+                                                ///< its whole volume with every term. The slabs stay the same
+};
+
+/// What became of a light.
+enum class Verdict : std::uint8_t {
+    Drawn,
+    Black,        ///< its colour is
+    NoDensity,    ///< its air scatters nothing
+    NoStrength,   ///< neither intensity nor ambient
+    ClipPlanes,   ///< its own clip planes leave nothing
+    BehindEye,    ///< its volume is
+    BeforeNear,   ///< its volume ends before the view's near plane
+    BeyondFar,    ///< its volume begins beyond the view's far plane
+    BehindScene,  ///< its volume begins behind View::sceneDepth
+    BesideView,   ///< its volume misses the sides of the view's frustum
+    BehindWalls,  ///< what the view shows of its volume lies behind blockers that hold all its light up
+    BehindTiles,  ///< surfaces hide its volume, by Surroundings::depth
+    DarkCookie,   ///< its cookie is black wherever its volume is seen
+    NoDust,       ///< its noise is 0 everywhere, or its gain
+    TooFaint,     ///< see PlanOptions::displayStep
+};
+
+/// Why a term is in a light's technique, or not.
+enum class TermVerdict : std::uint8_t {
+    NotAsked,    ///< the light has none
+    Drawn,       ///< called for
+    Forced,      ///< PlanOptions::technique or ::everything
+    Overruled,   ///< PlanOptions::technique leaves it out
+    NoOccluder,  ///< shadow: nothing stands between the lamp and the air that is seen
+    Uniform,     ///< cookie, noise: the same wherever it is seen; a factor takes its place
+    Invisible,   ///< cookie, noise: differs by less than the display shows; its mean takes its place
 };
 
 /// One light's part of the plan. Where `drawn` is false, everything from `slices` on is zero.
 struct PlannedLight {
-    std::size_t light = 0;       ///< index into the lights that were given
-    bool drawn = false;          ///< false: it adds nothing to this view, dark, hidden or outside
-    std::string reason;          ///< why it is drawn with this technique, or not at all; one sentence
-    std::string_view technique;  ///< name in slices.fx
-    bool noise = false, shadow = false, cookie = false;  ///< the technique's switches
-    int slices = 0;
-    double nearDepth = 0.0, farDepth = 0.0;        ///< metres of view depth that the slabs span
+    std::size_t light = 0;  ///< index into the lights that were given
+    bool drawn = false;     ///< false: it adds nothing to this view
+    Verdict verdict = Verdict::Drawn;
+    TermVerdict noiseVerdict = TermVerdict::NotAsked, shadowVerdict = TermVerdict::NotAsked,
+                cookieVerdict = TermVerdict::NotAsked;
+    std::string_view technique;                          ///< name in slices.fx, of its fullest part
+    bool noise = false, shadow = false, cookie = false;  ///< that technique's switches
+    double brightest = 0.0;  ///< no pixel gets more radiance from it, in its strongest channel; infinite where it
+                             ///< was not asked for
+    int slices = 0;          ///< that are drawn
+    double nearDepth = 0.0, farDepth = 0.0;    ///< metres of view depth that the volume's slabs span, drawn or not
+    double volumeNear = 0.0, volumeFar = 0.0;  ///< metres along the light's axis: all that its planes leave
+    double seenNear = 0.0, seenFar = 0.0;      ///< of that, what the view can see
+    double firstOccluder = 0.0;  ///< metres along the axis; before it, slices are drawn without shadow. volumeFar
+                                 ///< or more: there is none
+    std::uint32_t walls = 0;     ///< blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
-    SliceConstants constants{};
+    std::uint32_t constants = 0;                   ///< into Plan::constants
+};
+
+/// One draw: some of a light's indices with one technique.
+struct PlannedPart {
+    std::uint32_t light = 0;  ///< into Plan::lights
+    std::uint32_t group = 0;  ///< into Plan::groups
+    std::string_view technique;
+    bool noise = false, shadow = false, cookie = false;  ///< the technique's switches
+    std::uint32_t firstIndex = 0, indexCount = 0;        ///< into Plan::indices
+    int slices = 0;
 };
 
 /// Lights that are added up in one target before it is composited. One holds them all, except for the
@@ -71,8 +138,8 @@ struct PlannedLight {
 /// value is the light's strongest channel times the luminance of its cookie: a coloured cookie keeps its
 /// pattern and takes the light's colour.
 struct CompositeGroup {
-    glm::vec3 tint{1.0f};             ///< multiplies the sum; routed, its largest component is 1
-    std::vector<std::size_t> lights;  ///< indices into Plan::lights, drawn ones only
+    glm::vec3 tint{1.0f};                    ///< multiplies the sum; routed, its largest component is 1
+    std::uint32_t firstPart = 0, parts = 0;  ///< into Plan::parts
 };
 
 struct Plan {
@@ -80,26 +147,52 @@ struct Plan {
     Accumulation accumulation = Accumulation::Rgba16f;
     double scale = 1.0;  ///< target value = radiance * scale; compositing divides by it
     std::vector<SliceVertex> vertices;
-    std::vector<std::uint32_t> indices;  ///< triangle list into `vertices`
-    std::vector<PlannedLight> lights;    ///< one for each light given, in their order
-    std::vector<CompositeGroup> groups;  ///< none where no light is drawn
+    std::vector<std::uint32_t> indices;     ///< triangle list into `vertices`
+    std::vector<SliceConstants> constants;  ///< one for each light that is drawn
+    std::vector<PlannedLight> lights;       ///< one for each light given, in their order
+    std::vector<PlannedPart> parts;         ///< by group, and within it by technique, so that pipelines change least
+    std::vector<CompositeGroup> groups;     ///< none where no light is drawn
 };
 
 /// Plans the shafts of `lights` as `view` sees them.
 ///
-/// Slices are perpendicular to the view direction, at the midpoints of equally thick slabs that span the
-/// light's volume clamped to the view's near plane, far plane and scene depth. They come farthest first, are
+/// Slices are perpendicular to the view direction, at the midpoints of slabs that span the light's volume clamped
+/// to the view's near plane, far plane and (Spacing::Even) scene depth. They come farthest first within a part, are
 /// convex and counter-clockwise as the eye sees them. A slice without area has no triangles. Far outside
-/// the picture, at eight times its half width, slices are cut off.
+/// the picture, at eight times its half width, slices are cut off; slices that lie beside the picture, or hidden
+/// behind Surroundings::depth, are left out.
+///
+/// With exact polygons a light with shadow is drawn in two parts: what lies before the first occluder without
+/// looking its shadow up, the rest with it. What lies behind blockers that cover its whole pyramid is not drawn.
 ///
 /// The plan for lights and eye a thousand kilometres from the world's origin is as accurate as at it.
 ///
 /// Errors: InvalidArgument where a value breaks the bounds stated in Light, View and PlanOptions, where
 /// any of them is not finite (View::farPlane may be infinite), where the routed format meets a number of
 /// slices that four does not divide, where stretched quads meet more than two extra clip planes, where
-/// `technique` names none of slices.fx, where lights times slices exceed 2^24, or where a light's strength
-/// or noise overflows the shader's floats. Lights that would not be drawn are checked too.
-Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options);
+/// `technique` names none of slices.fx, where lights times slices exceed 2^24 (those that are drawn), where surveys
+/// or depth tiles do not have the stated number of entries, or where a light's strength or noise overflows the
+/// shader's floats. Lights that would not be drawn are checked too.
+Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                  const Surroundings& surroundings = {});
+
+/// plan() for frame after frame: keeps its working memory, and the plan's, so that once both have grown nothing is
+/// allocated any more. Not thread-safe.
+class Planner {
+public:
+    Planner();
+    Planner(Planner&&) noexcept;
+    Planner& operator=(Planner&&) noexcept;
+    ~Planner();
+
+    /// Writes the plan into `plan`, whatever it held before. Where it answers an error, `plan` is empty.
+    Result<void> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                      const Surroundings& surroundings, Plan& plan);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
 
 /// The technique of slices.fx that has exactly these terms.
 std::string_view techniqueName(bool noise, bool shadow, bool cookie);

@@ -1,0 +1,33 @@
+// What plan() may know of a texture without reading it: between which values it lies, and how fine it is.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace tyndall {
+
+/// Least and most of each channel.
+struct TextureRange {
+    glm::vec3 least{0.0f};
+    glm::vec3 most{0.0f};
+};
+
+/// A texture's values, cell by cell. One survey serves all the lights that share the texture.
+struct TextureSurvey {
+    int columns = 0, rows = 0;        ///< of cells; row 0 is the texture's top
+    std::vector<TextureRange> cells;  ///< of every texel that bilinear filtering reads within the cell
+    TextureRange whole;
+    double detail = 1.0;  ///< share of the texture's side over which it changes by its whole range, from the steepest
+                          ///< step between neighbouring texels: a hard edge is a texel wide, a soft cone half the side
+};
+
+/// Surveys a texture of linear values, RGBA, row 0 at the top, in at most 32 x 32 cells.
+/// `width` and `height` must be at least 1 and `texels` hold width * height values. `wraps`: the texture repeats,
+/// as noise does; otherwise its edge is clamped, as a cookie's.
+TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps);
+
+/// Bounds of what bilinear filtering reads of a clamped texture within a rectangle of texture coordinates.
+TextureRange rangeWithin(const TextureSurvey& survey, const glm::dvec2& least, const glm::dvec2& most);
+
+}  // namespace tyndall

@@ -1,0 +1,43 @@
+// A vector that never allocates, for counts with a proven bound.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace tyndall {
+
+/// What exceeds the capacity is dropped: capacities here are such that only rounding could.
+template <class T, std::size_t capacity>
+class InlineVector {
+public:
+    InlineVector() = default;
+    InlineVector(const InlineVector& other) : size_(other.size_) { std::copy_n(other.begin(), size_, begin()); }
+    InlineVector& operator=(const InlineVector& other) {
+        size_ = other.size_;
+        std::copy_n(other.begin(), size_, begin());
+        return *this;
+    }
+
+    void push_back(const T& value) {
+        if (size_ < capacity) items_[size_++] = value;
+    }
+    void resize(std::size_t size) { size_ = std::min(size, capacity); }
+    void clear() { size_ = 0; }
+    bool empty() const { return size_ == 0; }
+    std::size_t size() const { return size_; }
+    const T* data() const { return items_.data(); }
+    T& operator[](std::size_t i) { return items_[i]; }
+    const T& operator[](std::size_t i) const { return items_[i]; }
+    T* begin() { return items_.data(); }
+    T* end() { return items_.data() + size_; }
+    const T* begin() const { return items_.data(); }
+    const T* end() const { return items_.data() + size_; }
+    const T& front() const { return items_[0]; }
+
+private:
+    std::array<T, capacity> items_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace tyndall

@@ -1,0 +1,89 @@
+#include "slabs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tyndall {
+namespace {
+
+// The midpoint rule over 1/d^2 is off by coth(pi d / h) - 1 in the worst case: 4e-6 with slabs of half the distance.
+constexpr double mostGrowth = 0.5;
+// Slabs to a feature of a cookie or a shadow map, seen at 45 degrees: two samples of each.
+constexpr double slabsPerDetail = 2.0;
+// Pixels that neighbouring slices lie apart at least: seen at 45 degrees, an edge then steps by so many.
+constexpr double leastPixels = 3.0;
+
+// 1 / cos of the least angle between the view's axis, forwards or backwards, and a ray of the lamp.
+double reach(double cosine, double half) {
+    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) - half;
+    // Beyond 89 degrees the pyramid has next to nothing on that side.
+    return 1.0 / std::cos(std::clamp(angle, 0.0, 1.553));
+}
+
+double halfDiagonal(const Light& light) {
+    return std::atan(glm::length(glm::tan(0.5 * light.fov)));
+}
+
+// Metres that a pixel covers at that view depth.
+double pixel(const View& view, const PlanOptions& options, double depth) {
+    if (options.pictureHeight == 0) return 0.0;
+    const glm::dmat4 rows = glm::transpose(view.clipFromView);
+    const double perHeight = glm::length(glm::dvec3(rows[1])) / (view.orthographic ? rows[3].w : -rows[3].z);
+    return 2.0 / (perHeight * options.pictureHeight) * (view.orthographic ? 1.0 : depth);
+}
+
+double reachAt(const Slabs& slabs, double offset) {
+    return offset > 0.0 ? slabs.reachBehind : slabs.reachBefore;
+}
+
+// Slabs between the lamp's depth and `depth`, negative before the lamp.
+double counted(const Slabs& slabs, double depth) {
+    const double offset = depth - slabs.lampDepth;
+    const double steepness = slabs.growth * reachAt(slabs, offset);
+    return std::asinh(steepness * offset / slabs.least) / (steepness * slabs.scale);
+}
+
+double depthAt(const Slabs& slabs, double count) {
+    const double steepness = slabs.growth * reachAt(slabs, count);
+    return slabs.lampDepth + slabs.least * std::sinh(count * steepness * slabs.scale) / steepness;
+}
+
+}  // namespace
+
+Slabs slabsOf(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
+              const LightVolume& volume, double detail, double visible) {
+    Slabs slabs;
+    slabs.nearDepth = volume.nearDepth;
+    if (options.spacing == Spacing::Even || options.look == Look::Article) {
+        slabs.farDepth = volume.farShown;
+        slabs.count = options.slices;
+        slabs.thickness = (slabs.farDepth - slabs.nearDepth) / slabs.count;
+        return slabs;
+    }
+    slabs.spacing = Spacing::Adaptive;
+    slabs.farDepth = volume.farDepth;
+    slabs.lampDepth = -pose.viewFromLight[3].z;
+    const double along = pose.viewFromLight[2].z;  // of the light's axis, away from the eye
+    slabs.reachBehind = reach(along, halfDiagonal(light));
+    slabs.reachBefore = reach(-along, halfDiagonal(light));
+    slabs.growth = std::min(mostGrowth, detail / slabsPerDetail);
+    slabs.least = glm::length(
+        glm::dvec3(slabs.growth * light.nearPlane, leastPixels * pixel(view, options, volume.nearDepth), visible));
+    const double wanted = counted(slabs, volume.farLit) - counted(slabs, volume.nearLit);
+    // One less than may be: counting starts at the lamp, so both ends may be fractions.
+    slabs.scale = std::max(1.0, wanted / std::max(options.slices - 1, 1));
+    slabs.first = static_cast<int>(std::ceil(counted(slabs, slabs.farDepth)));
+    slabs.count = std::max(1, slabs.first - static_cast<int>(std::floor(counted(slabs, slabs.nearDepth))));
+    return slabs;
+}
+
+Slab slabAt(const Slabs& slabs, int i) {
+    if (slabs.spacing == Spacing::Even) return {slabs.farDepth - (i + 0.5) * slabs.thickness, slabs.thickness, i};
+    const int end = slabs.first - i;
+    const double far = std::min(depthAt(slabs, end), slabs.farDepth);
+    const double near = std::max(depthAt(slabs, end - 1), slabs.nearDepth);
+    return {0.5 * (near + far), std::max(far - near, 0.0), -end};
+}
+
+}  // namespace tyndall

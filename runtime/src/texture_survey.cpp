@@ -1,0 +1,92 @@
+#include <tyndall/texture_survey.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tyndall {
+namespace {
+
+constexpr int mostCells = 32;
+
+void widen(TextureRange& range, const TextureRange& other) {
+    range.least = glm::min(range.least, other.least);
+    range.most = glm::max(range.most, other.most);
+}
+
+class Texels {
+public:
+    Texels(int width, int height, std::span<const glm::vec4> texels, bool wraps)
+        : width_(width), height_(height), texels_(texels), wraps_(wraps) {}
+    glm::vec3 at(int column, int row) const {
+        column = wraps_ ? (column + width_) % width_ : std::clamp(column, 0, width_ - 1);
+        row = wraps_ ? (row + height_) % height_ : std::clamp(row, 0, height_ - 1);
+        return texels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                       static_cast<std::size_t>(column)];
+    }
+
+private:
+    int width_, height_;
+    std::span<const glm::vec4> texels_;
+    bool wraps_;
+};
+
+// Texels that filtering reads between two texture coordinates, given as cell `i` of `cells` over `side` texels:
+// those whose centres are less than a texel away.
+std::pair<int, int> texelsRead(int i, int cells, int side) {
+    const double first = static_cast<double>(i) * side / cells, last = static_cast<double>(i + 1) * side / cells;
+    return {static_cast<int>(std::floor(first - 0.5)), static_cast<int>(std::ceil(last - 0.5))};
+}
+
+double step(const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 difference = glm::abs(a - b);
+    return std::max({difference.r, difference.g, difference.b});
+}
+
+}  // namespace
+
+TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps) {
+    const Texels source(width, height, texels, wraps);
+    TextureSurvey survey;
+    survey.columns = std::min(width, mostCells);
+    survey.rows = std::min(height, mostCells);
+    survey.whole = {source.at(0, 0), source.at(0, 0)};
+    for (int row = 0; row < survey.rows; ++row)
+        for (int column = 0; column < survey.columns; ++column) {
+            const auto [left, right] = texelsRead(column, survey.columns, width);
+            const auto [top, bottom] = texelsRead(row, survey.rows, height);
+            TextureRange range{source.at(left, top), source.at(left, top)};
+            for (int y = top; y <= bottom; ++y)
+                for (int x = left; x <= right; ++x) widen(range, {source.at(x, y), source.at(x, y)});
+            survey.cells.push_back(range);
+            widen(survey.whole, range);
+        }
+    double across = 0.0, down = 0.0;  // the steepest steps
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            across = std::max(across, step(source.at(x, y), source.at(x + 1, y)));
+            down = std::max(down, step(source.at(x, y), source.at(x, y + 1)));
+        }
+    const double range = step(survey.whole.most, survey.whole.least);
+    if (range > 0.0) survey.detail = std::min({1.0, range / (across * width), range / (down * height)});
+    return survey;
+}
+
+TextureRange rangeWithin(const TextureSurvey& survey, const glm::dvec2& least, const glm::dvec2& most) {
+    const auto cell = [](double coordinate, int cells) {
+        return static_cast<int>(std::clamp(std::floor(coordinate * cells), 0.0, cells - 1.0));
+    };
+    // Rounding in the shader's floats moves a coordinate by less than this.
+    constexpr double margin = 1e-4;
+    const int left = cell(least.x - margin, survey.columns), right = cell(most.x + margin, survey.columns);
+    const int top = cell(least.y - margin, survey.rows), bottom = cell(most.y + margin, survey.rows);
+    const auto at = [&](int column, int row) -> const TextureRange& {
+        return survey.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(survey.columns) +
+                            static_cast<std::size_t>(column)];
+    };
+    TextureRange range = at(left, top);
+    for (int row = top; row <= bottom; ++row)
+        for (int column = left; column <= right; ++column) widen(range, at(column, row));
+    return range;
+}
+
+}  // namespace tyndall
