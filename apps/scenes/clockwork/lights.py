@@ -18,5 +18,5 @@ def build_lights():
         "shadow": "dynamic", "density": 0.06,
         "noise": {"scale": [2.6, 2.6], "scroll1": [0.012, 0.009], "scroll2": [-0.009, 0.013], "gain": 1 / 0.3,
                   "texture": "Dust"}})
-    spot("Pendant", PENDANT, (0, 0, -1), (0.55, 0.78, 1.0), 60, 62, 0.5, {
+    spot("Pendant", PENDANT, (0, 0, -1), (0.55, 0.78, 1.0), 60, 56, 0.5, {
         "near": 0.25, "far": round(PENDANT[2] + BEYOND, 2), "density": 0.1})

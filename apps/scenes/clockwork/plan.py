@@ -10,7 +10,7 @@ OPENING, OPENING_RADIUS = (0.0, 3.3), 2.95  # centre (x, z)
 WHEELS_Y = -0.15  # the middle of the wheels' thickness, just before the wall
 
 LAMP = (0.0, 5.0, 3.3)
-PENDANT = (-5.2, -5.6, 4.0)
+PENDANT = (-4.4, -5.6, 4.0)
 
 MODULE = 0.084  # a wheel's pitch diameter over its number of teeth, the same in all that mesh
 LOOP = 24.0     # seconds after which every wheel stands as it began

@@ -64,20 +64,20 @@ def build_lights(housing):
     for i, (colour, candela) in enumerate(((MAGENTA, 1500), (CYAN, 1500), (MAGENTA, 0), (LAVENDER, 1500),
                                            (LAVENDER, 1500), (CYAN, 0), (MAGENTA, 1500), (CYAN, 1500))):
         x = -6.3 + 1.8 * i
-        rig.lamp(f"Middle {i + 1}", (x, middle, LAMP_HEIGHT), (1.25 * x, middle + 0.4, 0.0), colour, candela, 11,
+        rig.lamp(f"Middle {i + 1}", (x, middle, LAMP_HEIGHT), (1.25 * x, middle - 0.3, 0.0), colour, candela, 11,
                  "Bars" if i % 2 else "Rings", cone=i in (0, 7))
 
     # Back truss: towards the stalls, over the heads; the two in the middle stand in the haze machine's cloud.
     for i, (colour, candela) in enumerate(((RED, 2000), (AMBER, 2000), (STRAW, 2650), (STRAW, 2650),
                                            (AMBER, 0), (RED, 2000))):
         x = -5.0 + 2.0 * i
-        rig.lamp(f"Back {i + 1}", (x, back, LAMP_HEIGHT), (0.8 * x, 3.6, 0.0), colour, candela, 13,
+        rig.lamp(f"Back {i + 1}", (x, back, LAMP_HEIGHT), (1.3 * x, 3.6, 0.0), colour, candela, 13,
                  "Shards" if i in (2, 3) else "Breakup", haze=i in (2, 3))
 
     # On the floor before the backdrop, upwards.
     for i, candela in enumerate((1500, 1500, 0, 1500)):
         x = (-6.4, -2.6, 2.6, 6.4)[i]
-        rig.lamp(f"Floor {i + 1}", (x, 10.2, 0.35), (1.3 * x, 8.6, 9.0), CYAN, candela, 9, "Bars")
+        rig.lamp(f"Floor {i + 1}", (x, 10.1, 0.35), (1.3 * x, 10.2, 9.0), CYAN, candela, 9, "Bars")
 
     # From the wings, low across the stage.
     rig.lamp("Wing left", (-9.2, 5.2, 2.7), (8.0, 5.8, 0.4), GREEN, 1500, 10, "Leaves", haze=True)
