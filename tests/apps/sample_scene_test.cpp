@@ -86,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
     All, SampleScene,
     testing::Values(Sample{"window", 3, 0, 1, 5, 125.0 / 24, {"Along the arcade", "Hall", "Inside the beam"}},
                     Sample{"stage", 32, 7, 3, 12, 0.0, {"Above", "Among the dancers", "Stalls", "Wings"}},
-                    Sample{"cogs", 2, 0, 1, 3, 24.0, {"At the teeth", "Before the wheels", "Beside the shafts"}}),
+                    Sample{"cogs", 2, 0, 1, 3, 24.0, {"At the teeth", "Before the wheels", "Beside the shafts"}},
+                    Sample{"street", 201, 0, 0, 4, 0.0, {"Across", "Roof", "Street"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -20,7 +20,7 @@ class Part:
         self.slots = []
 
     def face(self, points, slot=0):
-        start = len(self.vertices)
+        start, points = len(self.vertices), list(points)
         self.vertices.extend(tuple(p) for p in points)
         self.faces.append(tuple(range(start, start + len(points))))
         self.slots.append(slot)

@@ -25,11 +25,11 @@ def looking(direction):
     return Vector(direction).to_track_quat("-Z", "Y")
 
 
-def camera(name, eye, target, lens):
-    """`lens`: focal length in mm on a sensor 36 mm wide."""
+def camera(name, eye, target, lens, far=100.0):
+    """`lens`: focal length in mm on a sensor 36 mm wide; `far`: metres."""
     data = bpy.data.cameras.new(name)
     data.lens = lens
-    data.clip_start, data.clip_end = 0.1, 100.0
+    data.clip_start, data.clip_end = 0.1, far
     return place(name, data, eye, looking(Vector(target) - Vector(eye)).to_euler())
 
 
