@@ -1,6 +1,7 @@
 // Draws what a light sees, depth only.
+#include "shadow_map.h"
+
 #include <cmath>
-#include <glm/matrix.hpp>
 #include <numbers>
 
 #include "effect_contract.h"
@@ -51,12 +52,11 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
     beginRendering(commands, {size, size}, nullptr, &depth);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
 
-    // In double all the way: far from the origin, world coordinates in float would be off by millimetres.
-    const glm::dmat4 clipFromWorld = lightClipFromLight(light) * glm::inverse(light.worldFromLight);
+    const glm::dmat4 clipFromWorld = shadowClipFromWorld(light);
     Result<void> drawn;
     for (const Occluder& occluder : occluders) {
         if (occluder.indexCount == 0) continue;
-        const glm::mat4 clipFromMesh(clipFromWorld * occluder.worldFromMesh);
+        const glm::mat4 clipFromMesh(shadowClipFromMesh(clipFromWorld, occluder));
         const auto constants = placeValue(**data, clipFromMesh, counters);
         const auto pushed = constants.and_then([&](const FrameRange& range) {
             const NamedBuffer block{globalsBlock, {range.buffer, range.offset, sizeof clipFromMesh}};
@@ -73,6 +73,7 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
         counters.descriptorsPushed += *pushed;
     }
     vkCmdEndRendering(commands);
+    ++counters.shadowMapsDrawn;
     return drawn;
 }
 

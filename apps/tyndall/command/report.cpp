@@ -77,6 +77,7 @@ nlohmann::ordered_json frameReport(const PlannedScene& planned, const ViewOption
     report["device"] = device;
     report.update(planReport(planned, view, shafts));
     report["draws"] = {{"shafts", statistics.shafts.draws}, {"surfaces", statistics.surfaceDraws}};
+    report["shadowMapsDrawn"] = statistics.shafts.shadowMapsDrawn;
     report["slicesDrawn"] = statistics.shafts.slicesDrawn;
     if (statistics.fragmentsKnown) report["fragmentInvocations"] = statistics.fragments;
     report["pipelinesCreated"] = {{"shafts", statistics.shafts.pipelinesCreated},

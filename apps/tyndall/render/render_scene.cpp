@@ -155,6 +155,7 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
     frame.statistics.surfaces = drawn->surfaces;
     frame.statistics.shafts.pipelinesCreated = renderer->counters().pipelinesCreated;
     frame.statistics.shafts.pipelinesPrepared = renderer->counters().pipelinesPrepared;
+    frame.statistics.shafts.shadowMapsDrawn = renderer->counters().shadowMapsDrawn;
     frame.statistics.shafts.bytesUploaded = renderer->counters().bytesUploaded;
     frame.statistics.surfaceDraws = drawn->surfaceDraws;
     frame.statistics.surfacePipelines = drawn->surfacePipelines;

@@ -3,6 +3,17 @@
 #include <headless/commands.h>
 
 namespace tyndall::app {
+namespace {
+
+/// Those that can leave a mark in the light's map.
+std::vector<Occluder> occludersOf(const Light& light, const GpuScene& gpu) {
+    std::vector<Occluder> occluders;
+    for (std::size_t i = 0; i < gpu.occluders.size(); ++i)
+        if (mayShade(light, gpu.occluders[i], gpu.bounds[i])) occluders.push_back(gpu.occluders[i]);
+    return occluders;
+}
+
+}  // namespace
 
 Outcome<ShadowMaps> drawShadowMaps(const headless::Device& device, Renderer& renderer, FrameData& frame,
                                    std::span<const Light> lights, const GpuScene& gpu, std::uint32_t size) {
@@ -26,8 +37,8 @@ Outcome<ShadowMaps> drawShadowMaps(const headless::Device& device, Renderer& ren
             if (maps.views[i] == VK_NULL_HANDLE) continue;
             const headless::Image& image = maps.images[i];
             headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-            auto drawn =
-                renderer.recordShadowMap(commands, frame, lights[i], gpu.occluders, image.view(), shadowFormat, size);
+            auto drawn = renderer.recordShadowMap(commands, frame, lights[i], occludersOf(lights[i], gpu), image.view(),
+                                                  shadowFormat, size);
             if (!drawn) return drawn;
             headless::transition(commands, image, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);

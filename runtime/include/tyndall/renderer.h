@@ -70,6 +70,7 @@ struct PipelineNeeds {
 struct RendererCounters {
     std::uint64_t draws = 0, slicesDrawn = 0, descriptorsPushed = 0, pipelinesCreated = 0, bytesUploaded = 0;
     std::uint64_t neutralTexturesCreated = 0;
+    std::uint64_t shadowMapsDrawn = 0;
     std::uint64_t pipelinesPrepared = 0;  ///< of pipelinesCreated, those that prepare() made
 };
 
@@ -119,7 +120,8 @@ public:
 
     /// Records a light's shadow map: clears `map` (a depth view of `size` x `size` texels in layout
     /// DEPTH_ATTACHMENT_OPTIMAL) to 0 and draws the occluders, both faces, closest wins (reversed depth).
-    /// What stands before the light's near plane throws no shadow. The map's layout does not change; the
+    /// What stands before the light's near plane throws no shadow. shadow_cache.h tells which occluders a map needs,
+    /// and when it needs drawing. The map's layout does not change; the
     /// barriers before and after are the caller's.
     Result<void> recordShadowMap(VkCommandBuffer commands, FrameData& frame, const Light& light,
                                  std::span<const Occluder> occluders, VkImageView map, VkFormat format,
