@@ -98,8 +98,7 @@ Outcome<void> drawShafts(const headless::Device& device, Renderer& renderer, Fra
 /// All that drawShafts() will draw with, on all cores.
 Outcome<void> preparePipelines(Renderer& renderer, const Plan& plan, FrameStatistics& statistics) {
     std::vector<std::string_view> techniques;
-    for (const PlannedLight& light : plan.lights)
-        if (light.drawn) techniques.push_back(light.technique);
+    for (const PlannedPart& part : plan.parts) techniques.push_back(part.technique);
     const auto start = std::chrono::steady_clock::now();
     auto prepared = passOn(renderer.prepare({.techniques = techniques,
                                              .accumulation = plan.accumulation,
