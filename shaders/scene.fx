@@ -23,6 +23,7 @@ float4   gRange;           // x: near, y: far, metres along the light's axis
 float4   gCookieScale;     // xy: 0.5 / tan(fov / 2), horizontal and vertical
 float4   gShadow;          // stored depth = x + y / axis; z: map size in texels
 float4   gTexel;           // xy: a shadow map texel at one metre of axis, in metres
+float4   gWalls[4];        // view space, keeps dot(n, p) + d >= 0: behind these nothing is lit; unused ones are (0, 0, 0, 1)
 
 sampler2D BaseColourSampler = sampler_state
 {
@@ -134,7 +135,9 @@ float4 ps_light(float4 viewPos : TEXCOORD0,
     }
 
     float2 inside = step(float2(0.0, 0.0), slide) * step(slide, float2(1.0, 1.0));
-    bool reached = axis >= gRange.x && axis <= gRange.y && inside.x * inside.y > 0.0;
+    float4 place = float4(viewPos.xyz, 1.0);
+    float4 walls = float4(dot(gWalls[0], place), dot(gWalls[1], place), dot(gWalls[2], place), dot(gWalls[3], place));
+    bool reached = axis >= gRange.x && axis <= gRange.y && inside.x * inside.y > 0.0 && all(walls >= 0.0);
     float d2 = max(dot(lsPos, lsPos), 1.0e-12);
     float cosine = max(dot(n, -lsPos) * rsqrt(d2), 0.0);
     float3 irradiance = light * (1.0 / d2 + gIntensity.w) * cosine;

@@ -37,12 +37,18 @@ struct ViewOptions {
 struct ShaftOptions {
     std::optional<std::string> technique;
     Accumulation accumulation = Accumulation::Rgba16f;
-    int planes = 100;
+    std::optional<int> planes;  ///< so many equal slabs a light; absent: as many as needed
     Geometry geometry = Geometry::ExactPolygons;
     Look look = Look::Physical;
     std::optional<double> range;  ///< absent: automaticRange()
     std::uint32_t shadowSize = 1024;
+    bool everything = false;         ///< leaves nothing out, to compare with
+    bool displayed = true;           ///< false: radiance is kept as it is, however faint
+    std::optional<double> exposure;  ///< stops, of what is displayed; absent: from the picture
 };
+
+/// Slices a light at most, where it is drawn with as many as needed.
+constexpr int mostSlices = 256;
 
 /// What --pipeline-cache takes in place of a file.
 constexpr std::string_view noPipelineCache = "none";
@@ -51,7 +57,6 @@ struct RenderOptions {
     ViewOptions view;
     ShaftOptions shafts;
     std::string output;
-    std::optional<double> exposure;  ///< stops; absent: from the picture
     std::optional<std::string> stats;
     std::optional<std::string> pipelineCache;  ///< a file, or noPipelineCache; absent: the user's cache folder
     bool validate = false;

@@ -1,8 +1,11 @@
 #include <tyndall/explain.h>
 
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
 #include "plan_check.h"
+#include "slice_polygon.h"
 
 namespace tyndall {
 namespace {
@@ -49,6 +52,19 @@ std::string drawnReason(const PlannedLight& light) {
     if (wanted.empty()) return "The view calls for none of " + listed(spared) + ".";
     if (spared.empty()) return "The view calls for " + listed(wanted) + ".";
     return "The view calls for " + listed(wanted) + ", and not for " + listed(spared) + ".";
+}
+
+// Of a triangle in the square from -1 to 1.
+double triangleAreaWithin(const std::array<glm::dvec2, 3>& corners, std::span<const glm::dvec4> sides) {
+    SlicePolygon polygon;
+    for (const glm::dvec2& corner : corners) polygon.corners[polygon.count++] = corner;
+    if (area(polygon) < 0.0) std::swap(polygon.corners[1], polygon.corners[2]);  // Vulkan's clip space has y down
+    for (const glm::dvec4& side : sides) {
+        SlicePolygon inside, outside;
+        split(polygon, glm::dvec2(side), side.w, inside, outside);
+        polygon = inside;
+    }
+    return std::fabs(area(polygon));
 }
 
 }  // namespace
@@ -118,6 +134,25 @@ std::vector<std::string> savings(const PlannedLight& light) {
         sentences.push_back("No shadow looked up before the first occluder, " + metres(light.firstOccluder) +
                             " from the lamp.");
     return sentences;
+}
+
+double expectedFragments(const Plan& plan, const PlannedPart& part, const View& view, std::uint32_t width,
+                         std::uint32_t height) {
+    const SliceConstants& constants = plan.constants[plan.lights[part.light].constants];
+    const glm::dvec3 least(constants.boundsMin), extent = glm::dvec3(constants.boundsMax) - least;
+    const glm::dvec4 pictureSides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
+    double covered = 0.0;
+    for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
+        // Slices lie across the view's axis: in clip space divided by w they keep their shape.
+        std::array<glm::dvec2, 3> corners;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const glm::dvec3 position(plan.vertices[plan.indices[i + k]].position);
+            const glm::dvec4 clip = view.clipFromView * glm::dvec4(least + extent * position, 1.0);
+            corners[k] = glm::dvec2(clip) / clip.w;
+        }
+        covered += triangleAreaWithin(corners, pictureSides);
+    }
+    return 0.25 * covered * width * height;
 }
 
 }  // namespace tyndall

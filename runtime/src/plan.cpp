@@ -17,6 +17,7 @@ void clear(Plan& plan) {
     plan.vertices.clear();
     plan.indices.clear();
     plan.constants.clear();
+    plan.walls.clear();
     plan.lights.clear();
     plan.parts.clear();
     plan.groups.clear();
@@ -89,6 +90,9 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
                 "ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
         planned.constants = static_cast<std::uint32_t>(plan.constants.size());
         plan.constants.push_back(constants);
+        planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
+        const LightVolume& volume = candidate.volume;
+        plan.walls.insert(plan.walls.end(), volume.planes.end() - volume.walls, volume.planes.end());
         planned.technique = techniqueName(terms);
         planned.nearDepth = candidate.slabs.nearDepth;
         planned.farDepth = candidate.slabs.farDepth;

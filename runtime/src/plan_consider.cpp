@@ -84,7 +84,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     if (planned.verdict != Verdict::Drawn && !(whole && hasDepth)) return false;
     planned.volumeNear = volume.axisNear;
     planned.volumeFar = volume.axisFar;
-    planned.walls = static_cast<std::uint32_t>(walls.size());
+    planned.walls = static_cast<std::uint32_t>(volume.walls);
 
     if (planned.verdict == Verdict::Drawn) candidate.air = seenAir(seen, view, pose, surroundings.depth);
     const SeenAir& air = candidate.air;

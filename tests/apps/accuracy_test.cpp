@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <headless/device.h>
 #include <study/metrics.h>
-#include <tyndall/command/plan_scene.h>
+#include <tyndall/plan/plan_scene.h>
 #include <tyndall/reference/reference_scene.h>
 #include <tyndall/render/render_scene.h>
 

@@ -11,12 +11,15 @@ void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts) {
     addChoice(app, "--layer", view.layer, layerWords, "what to draw");
     addOptional(app, "--technique", shafts.technique, "NAME", "technique of slices.fx for every light");
     addChoice(app, "--accum", shafts.accumulation, accumulationWords, "where slices are added up");
-    app.add_option("--planes", shafts.planes, "slices a light, 1 to 65536; 100")->type_name("N");
+    addOptional(app, "--planes", shafts.planes, "N", "so many equal slices a light, 1 to 65536; as many as needed");
     addChoice(app, "--geometry", shafts.geometry, geometryWords, "how slices become triangles");
     addChoice(app, "--look", shafts.look, lookWords, "constants that weigh a slice");
     addOptional(app, "--range", shafts.range, "R",
                 "radiance that 8-bit targets call 1; estimated from above from the lights");
     addShadowSize(app, shafts.shadowSize);
+    addOptional(app, "--exposure", shafts.exposure, "EV",
+                "stops by which a .png is brightened; from the picture's log-average");
+    app.add_flag("--force-all", shafts.everything, "leave nothing out, to compare with: every light with every term");
 }
 
 }  // namespace
@@ -26,8 +29,6 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size) {
     addShafts(app, options.view, options.shafts);
     app.add_option("-o,--output", options.output, "picture to write, .png (tone-mapped) or .exr (linear)")
         ->type_name("IMAGE");
-    addOptional(app, "--exposure", options.exposure, "EV",
-                "stops by which a .png is brightened; from the picture's log-average");
     addOptional(app, "--stats", options.stats, "FILE.json", "what was drawn, and what it took");
     addOptional(app, "--pipeline-cache", options.pipelineCache, "FILE",
                 "where pipelines are kept between runs, or none; tyndall/ in the user's cache folder");
@@ -41,13 +42,17 @@ void addExplain(CLI::App& app, ExplainOptions& options, std::string& size) {
 }
 
 Outcome<void> checkShafts(const ShaftOptions& shafts) {
-    if (shafts.planes < 1 || shafts.planes > 65536)
-        return fail("--planes: {} is out of bounds; take from 1 to 65536", shafts.planes);
-    if (shafts.accumulation == Accumulation::Rgba8Routed && shafts.planes % 4 != 0)
+    if (shafts.planes && (*shafts.planes < 1 || *shafts.planes > 65536))
+        return fail("--planes: {} is out of bounds; take from 1 to 65536", *shafts.planes);
+    if (shafts.planes && shafts.accumulation == Accumulation::Rgba8Routed && *shafts.planes % 4 != 0)
         return fail(
             "--planes: {} slices cannot be spread evenly over four channels; with --accum rgba8-routed take a "
             "multiple of 4",
-            shafts.planes);
+            *shafts.planes);
+    if (shafts.exposure && !(std::abs(*shafts.exposure) <= 64.0))
+        return fail("--exposure: must lie between -64 and 64 stops");
+    if (shafts.everything && shafts.technique)
+        return fail("--force-all: draws with the full technique; leave --technique out");
     if (auto checked = checkShadowSize(shafts.shadowSize); !checked) return checked;
     if (shafts.range && !(*shafts.range > 0.0 && std::isfinite(*shafts.range)))
         return fail("--range: must be a radiance above 0");
@@ -69,9 +74,8 @@ Outcome<void> checkRender(RenderOptions& options, bool outputGiven) {
     if (options.view.layer == Layer::Shafts && *format != PictureFormat::Exr)
         return fail("-o: {} cannot hold --layer shafts, which is radiance without limits; write an .exr",
                     options.output);
-    if (options.exposure && !(std::abs(*options.exposure) <= 64.0))
-        return fail("--exposure: must lie between -64 and 64 stops");
-    if (options.exposure && *format == PictureFormat::Exr)
+    options.shafts.displayed = *format == PictureFormat::Png;
+    if (options.shafts.exposure && *format == PictureFormat::Exr)
         return fail("--exposure: {} holds radiance as it is, without exposure; leave it out, or write a .png",
                     options.output);
     return {};

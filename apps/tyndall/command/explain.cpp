@@ -1,12 +1,31 @@
+#include <headless/device.h>
+
+#include "../render/render_scene.h"
 #include "commands.h"
 #include "json_text.h"
 #include "report.h"
 
 namespace tyndall::app {
+namespace {
+
+/// Plans as render does: with the scene's depth, and the exposure of its surfaces. Both have to be drawn; where no
+/// device can, the plan does without them.
+Outcome<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
+    auto device = headless::Device::create();
+    if (!device) return {};
+    auto renderer = Renderer::create({device->physicalDevice(), device->device(), VK_NULL_HANDLE});
+    if (!renderer) return fail("{}", renderer.error().message);
+    const auto drawn = drawPlanned(*device, *renderer, planned, options.view, options.shafts, VK_NULL_HANDLE);
+    if (!drawn) return tl::unexpected(drawn.error());
+    return {};
+}
+
+}  // namespace
 
 Outcome<Said> explain(const ExplainOptions& options) {
-    const auto planned = planScene(options.view, options.shafts);
+    auto planned = planScene(options.view, options.shafts);
     if (!planned) return tl::unexpected(planned.error());
+    if (auto done = planAsDrawn(*planned, options); !done) return tl::unexpected(done.error());
     Said said;
     said.output = options.json ? jsonText(planReport(*planned, options.view, options.shafts))
                                : planText(*planned, options.view, options.shafts);

@@ -46,7 +46,7 @@ Outcome<Said> render(const RenderOptions& options) {
         if (const auto messages = device->messages(); !messages.empty())
             return fail("--validate: {} messages, the first: {}", messages.size(), messages.front());
 
-    if (auto written = writePicture(options.output, frame->picture, options.exposure); !written)
+    if (auto written = writePicture(options.output, frame->picture, options.shafts.exposure); !written)
         return tl::unexpected(written.error());
     cache.save(said.notes);
     if (options.stats) {

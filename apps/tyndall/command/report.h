@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "../plan/plan_scene.h"
 #include "../render/render_scene.h"
-#include "plan_scene.h"
 
 namespace tyndall::app {
 

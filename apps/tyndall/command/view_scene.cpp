@@ -14,7 +14,8 @@ Outcome<ViewedScene> viewScene(const ViewOptions& options) {
     if (!camera) return tl::unexpected(camera.error());
     viewed.camera = *camera;
     viewed.view = viewFrom(**camera, options.size);
-    viewed.lights = callForShadows(viewed.scene);
+    for (const SceneLight& light : viewed.scene.lights) viewed.lights.push_back(light.light);
+    viewed.instancesInLight = instancesByLight(viewed.scene, viewed.lights);
     return viewed;
 }
 

@@ -15,7 +15,8 @@ struct ViewedScene {
     Scene scene;
     const Camera* camera = nullptr;  ///< in scene.cameras
     View view;
-    std::vector<Light> lights;  ///< as drawn, in the order of scene.lights: see callForShadows()
+    std::vector<Light> lights;                               ///< of scene.lights, in their order
+    std::vector<std::vector<std::size_t>> instancesInLight;  ///< see instancesByLight()
 };
 
 Outcome<ViewedScene> viewScene(const ViewOptions& options);

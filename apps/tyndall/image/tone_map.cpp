@@ -38,6 +38,11 @@ double toneMap(double radiance, double exposureStops) {
     return std::min(c * (1.0 + c / (white * white)) / (1.0 + c), 1.0);
 }
 
+double displayStep(double exposureStops) {
+    constexpr double srgbSlope = 12.92;  // at black, where the tone curve's own slope is 1
+    return std::exp2(-exposureStops) / (256.0 * srgbSlope);
+}
+
 std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<double> exposureStops) {
     const double stops = exposureStops.value_or(automaticExposure(picture));
     std::vector<std::uint8_t> bytes;

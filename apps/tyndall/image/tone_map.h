@@ -21,6 +21,10 @@ double automaticExposure(const Picture& picture);
 /// One channel, linear in [0, 1].
 double toneMap(double radiance, double exposureStops);
 
+/// Radiance of the smallest difference that the display shows at that exposure: the 256th part of its range where it is
+/// steepest, in the dark.
+double displayStep(double exposureStops);
+
 /// RGB bytes. Absent stops: automaticExposure().
 std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<double> exposureStops);
 

@@ -29,6 +29,7 @@ study::ReferenceScene commonPart(const ViewedScene& viewed, const ViewOptions& o
         const SceneLight& source = viewed.scene.lights[i];
         study::ReferenceLight light;
         light.light = viewed.lights[i];
+        light.light.shadow = light.light.shadow && !viewed.instancesInLight[i].empty();
         if (light.light.cookie && source.cone && !asUploaded) {
             light.cone = study::Cone{source.cone->inner, source.cone->outer};
             light.light.cookie = source.slide.has_value();
@@ -78,7 +79,8 @@ Outcome<study::ReferenceScene> hardwareScene(const headless::Device& device, con
     study::ReferenceScene scene = commonPart(viewed, options, study::Mode::Hardware);
     auto renderer = Renderer::create({device.physicalDevice(), device.device(), VK_NULL_HANDLE});
     if (!renderer) return fail("{}", renderer.error().message);
-    auto drawn = drawScene(device, *renderer, viewed, options.size, shadowSize, false);
+    const auto lighting = allLights(viewed.lights, viewed.instancesInLight);
+    auto drawn = drawScene(device, *renderer, viewed, lighting, options.size, shadowSize, false);
     if (!drawn) return tl::unexpected(drawn.error());
     auto depth = readDepth(device, drawn->depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
     if (!depth) return tl::unexpected(depth.error());

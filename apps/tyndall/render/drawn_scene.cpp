@@ -19,12 +19,13 @@ Outcome<headless::Image> makeTarget(const headless::Device& device, Size size, V
     return std::move(*made);
 }
 
-Outcome<void> drawSurfaces(const headless::Device& device, const ViewedScene& viewed, std::uint32_t shadowSize,
-                           bool lit, VkPipelineCache cache, DrawnScene& drawn) {
+Outcome<void> drawSurfaces(const headless::Device& device, const ViewedScene& viewed,
+                           std::span<const SurfaceLight> lights, std::uint32_t shadowSize, bool lit,
+                           VkPipelineCache cache, DrawnScene& drawn) {
     auto pipelines = surfacePipelines(device, cache);
     if (!pipelines) return tl::unexpected(pipelines.error());
-    auto pass = prepareSurfaces(device, *pipelines, colourFormat, depthFormat, viewed.scene, drawn.gpu, viewed.view,
-                                viewed.lights, drawn.maps.views, shadowSize, lit);
+    auto pass = prepareSurfaces(device, *pipelines, colourFormat, depthFormat, viewed, lights, drawn.gpu,
+                                drawn.maps.views, shadowSize, lit);
     if (!pass) return tl::unexpected(pass.error());
     const auto time = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
         headless::transition(commands, drawn.colour, VK_IMAGE_LAYOUT_UNDEFINED,
@@ -46,8 +47,9 @@ Outcome<void> drawSurfaces(const headless::Device& device, const ViewedScene& vi
 
 }  // namespace
 
-Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed, Size size,
-                              std::uint32_t shadowSize, bool lit, VkPipelineCache cache) {
+Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
+                              std::span<const SurfaceLight> lights, Size size, std::uint32_t shadowSize, bool lit,
+                              VkPipelineCache cache) {
     DrawnScene drawn;
     auto gpu = uploadScene(device, viewed.scene);
     if (!gpu) return tl::unexpected(gpu.error());
@@ -59,10 +61,10 @@ Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer
                             VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, "scene depth");
     if (!depth) return tl::unexpected(depth.error());
     drawn.depth = std::move(*depth);
-    auto maps = drawShadowMaps(device, renderer, drawn.shadowData, viewed.lights, drawn.gpu, shadowSize);
+    auto maps = drawShadowMaps(device, renderer, drawn.shadowData, viewed, lights, drawn.gpu, shadowSize);
     if (!maps) return tl::unexpected(maps.error());
     drawn.maps = std::move(*maps);
-    if (auto done = drawSurfaces(device, viewed, shadowSize, lit, cache, drawn); !done)
+    if (auto done = drawSurfaces(device, viewed, lights, shadowSize, lit, cache, drawn); !done)
         return tl::unexpected(done.error());
     return drawn;
 }

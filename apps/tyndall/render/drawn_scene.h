@@ -6,6 +6,7 @@
 #include <tyndall/renderer.h>
 
 #include "../command/view_scene.h"
+#include "../plan/surface_lights.h"
 #include "gpu_scene.h"
 #include "shadow_maps.h"
 
@@ -24,10 +25,12 @@ struct DrawnScene {
     FrameData shadowData;  ///< what the shadow maps were drawn with
 };
 
-/// Without `lit`, surfaces are black and only hide what is behind them. Their pipelines are made with `cache`, which
-/// may be null.
-Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed, Size size,
-                              std::uint32_t shadowSize, bool lit, VkPipelineCache cache = VK_NULL_HANDLE);
+/// `lights` says how each of the scene's lights is to light surfaces; shadow maps are drawn for those that call for
+/// one. Without `lit`, surfaces are black and only hide what is behind them. Their pipelines are made with `cache`,
+/// which may be null.
+Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
+                              std::span<const SurfaceLight> lights, Size size, std::uint32_t shadowSize, bool lit,
+                              VkPipelineCache cache = VK_NULL_HANDLE);
 
 /// A depth image's values, rows from the top. It is in `layout`, and stays in it.
 Outcome<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,

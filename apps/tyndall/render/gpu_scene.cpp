@@ -22,17 +22,6 @@ Outcome<headless::Image> uploadImage(const headless::Device& device, const Image
     return std::move(*image);
 }
 
-/// Of a mesh without vertices, which draws nothing, the origin.
-MeshBounds boundsOf(const Mesh& mesh) {
-    if (mesh.vertices.empty()) return {};
-    MeshBounds bounds{glm::dvec3(mesh.vertices[0].position), glm::dvec3(mesh.vertices[0].position)};
-    for (const Vertex& vertex : mesh.vertices) {
-        bounds.minimum = glm::min(bounds.minimum, glm::dvec3(vertex.position));
-        bounds.maximum = glm::max(bounds.maximum, glm::dvec3(vertex.position));
-    }
-    return bounds;
-}
-
 template <class T>
 Outcome<headless::Buffer> hostBuffer(const headless::Device& device, const std::vector<T>& values,
                                      VkBufferUsageFlags usage, std::string_view name) {
@@ -66,10 +55,7 @@ Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene
         if (!image) return tl::unexpected(image.error());
         gpu.images.push_back(std::move(*image));
     }
-    std::vector<MeshBounds> meshBounds;
-    for (const Mesh& mesh : scene.meshes) meshBounds.push_back(boundsOf(mesh));
     for (const MeshInstance& instance : scene.instances) {
-        gpu.bounds.push_back(meshBounds[instance.mesh]);
         gpu.occluders.push_back({.vertices = gpu.vertices.handle(),
                                  .vertexOffset = gpu.vertexOffset[instance.mesh],
                                  .vertexStride = sizeof(Vertex),

@@ -4,7 +4,6 @@
 #include <headless/buffer.h>
 #include <headless/image.h>
 #include <tyndall/renderer.h>
-#include <tyndall/shadow_cache.h>
 
 #include <vector>
 
@@ -19,7 +18,6 @@ struct GpuScene {
     std::vector<VkDeviceSize> indexOffset;   ///< bytes, by mesh
     std::vector<headless::Image> images;     ///< by Scene::images
     std::vector<Occluder> occluders;         ///< by Scene::instances
-    std::vector<MeshBounds> bounds;          ///< of each occluder, in its mesh's space
 };
 
 Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene);

@@ -5,29 +5,19 @@
 #include <headless/statistics.h>
 #include <tyndall/renderer.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
+#include "../image/tone_map.h"
 #include "all_cores.h"
 #include "drawn_scene.h"
 #include "pass_on.h"
 
 namespace tyndall::app {
 namespace {
-
-/// Depth comes back in 32 bits; the farthest surface must not lose its last slice to rounding.
-constexpr double depthMargin = 1.0 + 1e-5;
-
-/// View depth of the farthest surface; unlimited where a pixel shows none.
-Outcome<double> farthestSurface(const headless::Device& device, const headless::Image& depth, const View& view) {
-    const auto values = readDepth(device, depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
-    if (!values) return tl::unexpected(values.error());
-    float farthest = 1.0f;  // reversed
-    for (const float value : *values) farthest = std::min(farthest, value);
-    if (!(farthest > 0.0f)) return View{}.sceneDepth;
-    const glm::dvec4 point = glm::inverse(view.clipFromView) * glm::dvec4(0.0, 0.0, farthest, 1.0);
-    return std::max(-point.z / point.w * depthMargin, view.nearPlane * depthMargin);
-}
 
 std::vector<LightTextures> lightTextures(const Scene& scene, const DrawnScene& drawn) {
     std::vector<LightTextures> textures;
@@ -121,13 +111,19 @@ Outcome<Picture> readPicture(const headless::Device& device, const headless::Ima
     return picture;
 }
 
-}  // namespace
+/// The step that the display shows of a picture at its exposure; 0 where it shows nothing, or where nothing is shown.
+double stepOf(const Picture& picture, const ShaftOptions& shafts) {
+    if (!shafts.displayed) return 0.0;
+    if (shafts.exposure) return displayStep(*shafts.exposure);
+    const bool black = std::ranges::all_of(picture.pixels, [](const glm::vec3& p) { return p == glm::vec3(0.0f); });
+    return black ? 0.0 : displayStep(automaticExposure(picture));
+}
 
-Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned, const ViewOptions& view,
-                           const ShaftOptions& shafts, bool measure, VkPipelineCache cache) {
+Outcome<Frame> drawFrame(const headless::Device& device, PlannedScene& planned, const ViewOptions& view,
+                         const ShaftOptions& shafts, bool measure, VkPipelineCache cache, double mostStep) {
     auto renderer = Renderer::create({device.physicalDevice(), device.device(), cache});
     if (!renderer) return fail("{}", renderer.error().message);
-    auto drawn = drawScene(device, *renderer, planned, view.size, shafts.shadowSize, view.layer == Layer::All, cache);
+    auto drawn = drawPlanned(device, *renderer, planned, view, shafts, cache, mostStep);
     if (!drawn) return tl::unexpected(drawn.error());
     auto accumulation = passOn(
         headless::Image::create(device, {.extent = drawn->colour.extent(),
@@ -137,13 +133,11 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
         "the accumulated slices");
     if (!accumulation) return tl::unexpected(accumulation.error());
 
-    const auto depth = farthestSurface(device, drawn->depth, planned.view);
-    if (!depth) return tl::unexpected(depth.error());
-    if (auto done = planAgain(planned, *depth, view, shafts); !done) return tl::unexpected(done.error());
     Frame frame;
     if (auto done = preparePipelines(*renderer, planned.plan, frame.statistics); !done)
         return tl::unexpected(done.error());
     FrameData shaftData;
+    const std::uint64_t uploadedBefore = renderer->counters().bytesUploaded;
     if (auto done = passOn(renderer->upload(shaftData, planned.plan), "the slices"); !done)
         return tl::unexpected(done.error());
     if (auto done = drawShafts(device, *renderer, shaftData, planned, *drawn, *accumulation, measure, frame.statistics);
@@ -155,7 +149,8 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
     frame.statistics.shafts.pipelinesCreated = renderer->counters().pipelinesCreated;
     frame.statistics.shafts.pipelinesPrepared = renderer->counters().pipelinesPrepared;
     frame.statistics.shafts.shadowMapsDrawn = renderer->counters().shadowMapsDrawn;
-    frame.statistics.shafts.bytesUploaded = renderer->counters().bytesUploaded;
+    frame.statistics.shafts.bytesUploaded = renderer->counters().bytesUploaded - uploadedBefore;
+    frame.statistics.shafts.descriptorsPushed = renderer->counters().descriptorsPushed;
     frame.statistics.surfaceDraws = drawn->surfaceDraws;
     frame.statistics.surfacePipelines = drawn->surfacePipelines;
     frame.statistics.frameDataBytes = drawn->shadowData.memory() + shaftData.memory();
@@ -164,6 +159,38 @@ Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned
     if (!picture) return tl::unexpected(picture.error());
     frame.picture = std::move(*picture);
     return frame;
+}
+
+}  // namespace
+
+Outcome<DrawnScene> drawPlanned(const headless::Device& device, Renderer& renderer, PlannedScene& planned,
+                                const ViewOptions& view, const ShaftOptions& shafts, VkPipelineCache cache,
+                                double mostStep) {
+    auto drawn = drawScene(device, renderer, planned, planned.surfaceLights, view.size, shafts.shadowSize,
+                           view.layer == Layer::All, cache);
+    if (!drawn) return tl::unexpected(drawn.error());
+    const auto depths = readDepth(device, drawn->depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+    if (!depths) return tl::unexpected(depths.error());
+    const auto surfaces = readPicture(device, drawn->colour);
+    if (!surfaces) return tl::unexpected(surfaces.error());
+    const double step = std::min(stepOf(*surfaces, shafts), mostStep);
+    if (auto done = planAgain(planned, summarize(*depths, view.size, planned.view), step, view, shafts); !done)
+        return tl::unexpected(done.error());
+    return drawn;
+}
+
+Outcome<Frame> renderScene(const headless::Device& device, PlannedScene& planned, const ViewOptions& view,
+                           const ShaftOptions& shafts, bool measure, VkPipelineCache cache) {
+    // What is too faint is judged by the exposure of the surfaces alone. The shafts brighten the picture, and so darken
+    // its exposure, as a rule; where they do not, it is drawn again, more carefully, and at last with nothing left out.
+    double mostStep = std::numeric_limits<double>::infinity();
+    for (;;) {
+        auto frame = drawFrame(device, planned, view, shafts, measure, cache, mostStep);
+        if (!frame) return frame;
+        const double step = stepOf(frame->picture, shafts);
+        if (planned.displayStep <= step * (1.0 + 1e-3)) return frame;
+        mostStep = std::isinf(mostStep) ? 0.5 * step : 0.0;
+    }
 }
 
 }  // namespace tyndall::app

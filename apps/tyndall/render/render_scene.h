@@ -4,8 +4,11 @@
 #include <headless/device.h>
 #include <tyndall/renderer.h>
 
-#include "../command/plan_scene.h"
+#include <limits>
+
 #include "../image/picture.h"
+#include "../plan/plan_scene.h"
+#include "drawn_scene.h"
 
 namespace tyndall::app {
 
@@ -25,6 +28,12 @@ struct Frame {
     Picture picture;
     FrameStatistics statistics;
 };
+
+/// Draws all that shafts are drawn from, and plans anew with the depth and the exposure that come of it. Nothing is
+/// left out for a display whose step is above `mostStep`, in radiance.
+Outcome<DrawnScene> drawPlanned(const headless::Device& device, Renderer& renderer, PlannedScene& planned,
+                                const ViewOptions& view, const ShaftOptions& shafts, VkPipelineCache cache,
+                                double mostStep = std::numeric_limits<double>::infinity());
 
 /// Draws `planned` (whose plan is made anew once the depth of the scene is known). `measure` adds the
 /// slices twice and times the second, so that no compilation is in the figure. Pipelines are made with `cache`,

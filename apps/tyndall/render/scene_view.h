@@ -3,6 +3,9 @@
 
 #include <tyndall/view.h>
 
+#include <span>
+#include <vector>
+
 #include "../options.h"
 #include "../scene/scene.h"
 
@@ -14,8 +17,8 @@ Outcome<const Camera*> chooseCamera(const Scene& scene, const std::optional<std:
 /// The camera's height is kept, its width follows the picture's shape.
 View viewFrom(const Camera& camera, Size size);
 
-/// Lights whose shadow flag is cleared where nothing stands in their volume: a scene that throws no shadow
-/// needs no shadow map.
-std::vector<Light> callForShadows(const Scene& scene);
+/// For each light the instances, as numbers, whose boxes cannot be proved to lie outside of its volume: those that it
+/// can light, and that can throw a shadow in it.
+std::vector<std::vector<std::size_t>> instancesByLight(const Scene& scene, std::span<const Light> lights);
 
 }  // namespace tyndall::app

@@ -3,25 +3,14 @@
 #include <headless/commands.h>
 
 namespace tyndall::app {
-namespace {
-
-/// Those that can leave a mark in the light's map.
-std::vector<Occluder> occludersOf(const Light& light, const GpuScene& gpu) {
-    std::vector<Occluder> occluders;
-    for (std::size_t i = 0; i < gpu.occluders.size(); ++i)
-        if (mayShade(light, gpu.occluders[i], gpu.bounds[i])) occluders.push_back(gpu.occluders[i]);
-    return occluders;
-}
-
-}  // namespace
-
 Outcome<ShadowMaps> drawShadowMaps(const headless::Device& device, Renderer& renderer, FrameData& frame,
-                                   std::span<const Light> lights, const GpuScene& gpu, std::uint32_t size) {
+                                   const ViewedScene& viewed, std::span<const SurfaceLight> lights, const GpuScene& gpu,
+                                   std::uint32_t size) {
     ShadowMaps maps;
     maps.images.resize(lights.size());
     maps.views.resize(lights.size(), VK_NULL_HANDLE);
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (!lights[i].shadow) continue;
+        if (!lights[i].shadowMap) continue;
         auto image =
             headless::Image::create(device, {.extent = {size, size},
                                              .format = shadowFormat,
@@ -32,12 +21,15 @@ Outcome<ShadowMaps> drawShadowMaps(const headless::Device& device, Renderer& ren
         maps.images[i] = std::move(*image);
         maps.views[i] = maps.images[i].view();
     }
+    std::vector<Occluder> occluders;
     const auto time = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
         for (std::size_t i = 0; i < lights.size(); ++i) {
             if (maps.views[i] == VK_NULL_HANDLE) continue;
             const headless::Image& image = maps.images[i];
             headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-            auto drawn = renderer.recordShadowMap(commands, frame, lights[i], occludersOf(lights[i], gpu), image.view(),
+            occluders.clear();
+            for (const std::size_t instance : viewed.instancesInLight[i]) occluders.push_back(gpu.occluders[instance]);
+            auto drawn = renderer.recordShadowMap(commands, frame, viewed.lights[i], occluders, image.view(),
                                                   shadowFormat, size);
             if (!drawn) return drawn;
             headless::transition(commands, image, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "../command/view_scene.h"
+#include "../plan/surface_lights.h"
 #include "gpu_scene.h"
 
 namespace tyndall::app {
@@ -19,8 +21,10 @@ struct ShadowMaps {
     double milliseconds = 0.0;            ///< from submission to fence
 };
 
-/// `frame` must outlive the drawing, which is over when this returns.
+/// A map for each light that calls for one, of what stands in its volume. `frame` must outlive the drawing, which is
+/// over when this returns.
 Outcome<ShadowMaps> drawShadowMaps(const headless::Device& device, Renderer& renderer, FrameData& frame,
-                                   std::span<const Light> lights, const GpuScene& gpu, std::uint32_t size);
+                                   const ViewedScene& viewed, std::span<const SurfaceLight> lights, const GpuScene& gpu,
+                                   std::uint32_t size);
 
 }  // namespace tyndall::app

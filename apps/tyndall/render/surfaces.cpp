@@ -63,7 +63,12 @@ glm::dvec3 ambientRadiance(const Scene& scene, std::span<const Light> lights) {
     return radius > 0.0 ? ambientShare / 3.14159265358979 * intensity / (radius * radius) : glm::dvec3(0.0);
 }
 
-void setLight(Uniforms& uniforms, const Light& light, const View& view, std::uint32_t shadowSize) {
+void setLight(Uniforms& uniforms, const Light& light, std::span<const glm::dvec4> walls, const View& view,
+              std::uint32_t shadowSize) {
+    std::array<glm::vec4, 4> planes;
+    planes.fill(glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    for (std::size_t i = 0; i < std::min(walls.size(), planes.size()); ++i) planes[i] = glm::vec4(walls[i]);
+    uniforms.set("gWalls", glm::value_ptr(planes[0]), 4 * planes.size());
     uniforms.set("gLightFromView", glm::inverse(light.worldFromLight) * view.worldFromView);
     uniforms.set("gIntensity", glm::dvec4(light.colour * light.intensity,
                                           light.intensity > 0.0 ? light.ambient / light.intensity : 0.0));
@@ -106,6 +111,23 @@ std::string lightTechnique(bool shadow, bool cookie, bool texture) {
                        texture ? "" : "no");
 }
 
+/// One instance, in the base pass or lit by one light.
+struct Lit {
+    std::size_t instance = 0;
+    std::optional<std::size_t> light;
+};
+
+/// Base passes first: they lay down depth.
+std::vector<Lit> listDraws(const ViewedScene& viewed, std::span<const SurfaceLight> lights, bool lit) {
+    std::vector<Lit> draws;
+    for (std::size_t i = 0; i < viewed.scene.instances.size(); ++i) draws.push_back({i, std::nullopt});
+    for (std::size_t light = 0; light < lights.size() && lit; ++light) {
+        if (!lights[light].reaches) continue;
+        for (const std::size_t instance : viewed.instancesInLight[light]) draws.push_back({instance, light});
+    }
+    return draws;
+}
+
 }  // namespace
 
 Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache) {
@@ -115,54 +137,54 @@ Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipeli
 }
 
 Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour,
-                                     VkFormat depth, const Scene& scene, const GpuScene& gpu, const View& view,
-                                     std::span<const Light> lights, std::span<const VkImageView> shadowMaps,
+                                     VkFormat depth, const ViewedScene& viewed, std::span<const SurfaceLight> lights,
+                                     const GpuScene& gpu, std::span<const VkImageView> shadowMaps,
                                      std::uint32_t shadowSize, bool lit) {
     SurfacePass pass;
+    const Scene& scene = viewed.scene;
     if (scene.instances.empty()) return pass;
+    const std::vector<Lit> draws = listDraws(viewed, lights, lit);
     const VkDeviceSize alignment =
         std::max<VkDeviceSize>(device.properties().limits.minUniformBufferOffsetAlignment, 16);
     const VkDeviceSize block = (blockBytes + alignment - 1) / alignment * alignment;
-    const std::size_t perInstance = 1 + (lit ? lights.size() : 0);
-    auto buffer =
-        headless::Buffer::create(device, block * perInstance * scene.instances.size(),
-                                 VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, headless::MemoryPlace::Host, "surface uniforms");
+    auto buffer = headless::Buffer::create(device, block * draws.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                                           headless::MemoryPlace::Host, "surface uniforms");
     if (!buffer) return fail("the surfaces' constants: {}", buffer.error().message);
     pass.uniforms = std::move(*buffer);
     const std::span<std::byte> mapped = pass.uniforms.mapped();
     std::ranges::fill(mapped, std::byte{0});
 
-    const glm::dvec3 ambient = ambientRadiance(scene, lights);
+    const glm::dvec3 ambient = ambientRadiance(scene, viewed.lights);
     VkDeviceSize offset = 0;
-    for (std::size_t drawn = 0; drawn < perInstance; ++drawn)  // base passes first: they lay down depth
-        for (std::size_t i = 0; i < scene.instances.size(); ++i, offset += block) {
-            const MeshInstance& instance = scene.instances[i];
-            const Material& material = scene.meshes[instance.mesh].material;
-            const bool textured = material.baseTexture.has_value() && lit;
-            Uniforms uniforms(mapped.subspan(offset, blockBytes));
-            setSurface(uniforms, instance, material, view, lit, ambient);
-            SurfaceDraw draw;
-            draw.instance = i;
-            draw.uniforms = {pass.uniforms.handle(), offset, blockBytes};
-            if (textured) draw.images.push_back(named("BaseColourSampler", gpu.images[*material.baseTexture].view()));
-            std::string technique = textured ? "base_texture_technique" : "base_notexture_technique";
-            if (drawn > 0) {
-                const std::size_t l = drawn - 1;
-                setLight(uniforms, lights[l], view, shadowSize);
-                const bool shadow = shadowMaps[l] != VK_NULL_HANDLE;
-                const std::optional<std::size_t> cookie = scene.lights[l].cookie;
-                if (shadow) draw.images.push_back(named("ShadowMapSampler", shadowMaps[l]));
-                if (cookie) draw.images.push_back(named("CookieSampler", gpu.images[*cookie].view()));
-                technique = lightTechnique(shadow, cookie.has_value(), textured);
-            }
-            // How a mesh is culled is its own affair; depth is reversed.
-            const PassTarget target{.colours = {colour}, .depth = depth, .dynamicCulling = true};
-            const auto pipeline =
-                pipelines.get(permgen::find_technique(scene_effect::effect, technique)->passes[0], target, elements);
-            if (!pipeline) return fail("the surfaces: {}", pipeline.error().message);
-            draw.pipeline = *pipeline;
-            pass.draws.push_back(std::move(draw));
+    for (const Lit& one : draws) {
+        const MeshInstance& instance = scene.instances[one.instance];
+        const Material& material = scene.meshes[instance.mesh].material;
+        const bool textured = material.baseTexture.has_value() && lit;
+        Uniforms uniforms(mapped.subspan(offset, blockBytes));
+        setSurface(uniforms, instance, material, viewed.view, lit, ambient);
+        SurfaceDraw draw;
+        draw.instance = one.instance;
+        draw.uniforms = {pass.uniforms.handle(), offset, blockBytes};
+        offset += block;
+        if (textured) draw.images.push_back(named("BaseColourSampler", gpu.images[*material.baseTexture].view()));
+        std::string technique = textured ? "base_texture_technique" : "base_notexture_technique";
+        if (one.light) {
+            const std::size_t l = *one.light;
+            setLight(uniforms, viewed.lights[l], lights[l].walls, viewed.view, shadowSize);
+            const bool shadow = shadowMaps[l] != VK_NULL_HANDLE;
+            const std::optional<std::size_t> cookie = scene.lights[l].cookie;
+            if (shadow) draw.images.push_back(named("ShadowMapSampler", shadowMaps[l]));
+            if (cookie) draw.images.push_back(named("CookieSampler", gpu.images[*cookie].view()));
+            technique = lightTechnique(shadow, cookie.has_value(), textured);
         }
+        // How a mesh is culled is its own affair; depth is reversed.
+        const PassTarget target{.colours = {colour}, .depth = depth, .dynamicCulling = true};
+        const auto pipeline =
+            pipelines.get(permgen::find_technique(scene_effect::effect, technique)->passes[0], target, elements);
+        if (!pipeline) return fail("the surfaces: {}", pipeline.error().message);
+        draw.pipeline = *pipeline;
+        pass.draws.push_back(std::move(draw));
+    }
     return pass;
 }
 

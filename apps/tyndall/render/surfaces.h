@@ -9,8 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "../command/view_scene.h"
 #include "../outcome.h"
-#include "../scene/scene.h"
+#include "../plan/surface_lights.h"
 #include "gpu_scene.h"
 
 namespace tyndall::app {
@@ -37,12 +38,12 @@ struct SurfacePass {
 /// The pipelines of scene.fx, made with `cache`, which may be null.
 Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache);
 
-/// Prepares one base draw and one draw a light for each instance; without `lit`, surfaces are black and
-/// only hide what is behind them. `shadowMaps` holds a view for each light, null where it has none. The
-/// pipelines draw into targets of those two formats.
+/// Prepares one base draw for each instance, and one for each light that reaches the picture and the instance;
+/// without `lit`, surfaces are black and only hide what is behind them. `shadowMaps` holds a view for each light, null
+/// where it has none. The pipelines draw into targets of those two formats.
 Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour,
-                                     VkFormat depth, const Scene& scene, const GpuScene& gpu, const View& view,
-                                     std::span<const Light> lights, std::span<const VkImageView> shadowMaps,
+                                     VkFormat depth, const ViewedScene& viewed, std::span<const SurfaceLight> lights,
+                                     const GpuScene& gpu, std::span<const VkImageView> shadowMaps,
                                      std::uint32_t shadowSize, bool lit);
 
 Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,

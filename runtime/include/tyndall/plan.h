@@ -117,7 +117,7 @@ struct PlannedLight {
     double seenNear = 0.0, seenFar = 0.0;      ///< of that, what the view can see
     double firstOccluder = 0.0;  ///< metres along the axis; before it, slices are drawn without shadow. volumeFar
                                  ///< or more: there is none
-    std::uint32_t walls = 0;     ///< blockers that end its volume
+    std::uint32_t firstWall = 0, walls = 0;        ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
     std::uint32_t constants = 0;                   ///< into Plan::constants
@@ -149,9 +149,10 @@ struct Plan {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;     ///< triangle list into `vertices`
     std::vector<SliceConstants> constants;  ///< one for each light that is drawn
-    std::vector<PlannedLight> lights;       ///< one for each light given, in their order
-    std::vector<PlannedPart> parts;         ///< by group, and within it by technique, so that pipelines change least
-    std::vector<CompositeGroup> groups;     ///< none where no light is drawn
+    std::vector<glm::dvec4> walls;     ///< view space, keep dot(n, p) + d >= 0: behind one, no light of that lamp comes
+    std::vector<PlannedLight> lights;  ///< one for each light given, in their order
+    std::vector<PlannedPart> parts;    ///< by group, and within it by technique, so that pipelines change least
+    std::vector<CompositeGroup> groups;  ///< none where no light is drawn
 };
 
 /// Plans the shafts of `lights` as `view` sees them.

@@ -1,0 +1,80 @@
+#include "plan_scene.h"
+
+#include "../render/automatic_range.h"
+
+namespace tyndall::app {
+namespace {
+
+bool eightBits(Accumulation accumulation) {
+    return accumulation == Accumulation::Rgba8 || accumulation == Accumulation::Rgba8Routed;
+}
+
+PlanOptions optionsFor(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+    PlanOptions options;
+    options.slices = shafts.planes.value_or(shafts.look == Look::Article ? 100 : mostSlices);
+    options.spacing = shafts.planes ? Spacing::Even : Spacing::Adaptive;
+    options.geometry = shafts.geometry;
+    options.accumulation = shafts.accumulation;
+    options.look = shafts.look;
+    options.time = view.time;
+    options.range = planned.range;
+    options.shadowMapSize = shafts.shadowSize;
+    options.pictureHeight = view.size.height;
+    options.displayStep = planned.displayStep;
+    options.everything = shafts.everything;
+    return options;
+}
+
+Surroundings surroundingsOf(const PlannedScene& planned) {
+    Surroundings known = surroundingsOf(planned.facts);
+    if (planned.depth) known.depth = DepthTiles{planned.depth->columns, planned.depth->rows, planned.depth->tiles};
+    return known;
+}
+
+Outcome<void> makePlan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+    planned.options = optionsFor(planned, view, shafts);
+    PlanOptions options = planned.options;
+    if (shafts.technique) options.technique = *shafts.technique;
+    auto made = plan(planned.lights, planned.view, options, surroundingsOf(planned));
+    if (!made) return fail("{}: {}", view.scene, made.error().message);
+    planned.plan = std::move(*made);
+    return {};
+}
+
+}  // namespace
+
+Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts) {
+    auto viewed = viewScene(view);
+    if (!viewed) return tl::unexpected(viewed.error());
+    PlannedScene planned{std::move(*viewed), 1.0, {}, {}, {}, 0.0, {}, {}};
+    planned.facts = surveyScene(planned.scene);
+    if (eightBits(shafts.accumulation))
+        planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts);
+    if (auto made = makePlan(planned, view, shafts); !made) return tl::unexpected(made.error());
+    if (shafts.everything) {
+        planned.surfaceLights = allLights(planned.lights, planned.instancesInLight);
+    } else {
+        auto needed = neededLights(planned.lights, planned.view, surroundingsOf(planned.facts), shafts.shadowSize);
+        if (!needed) return fail("{}: {}", view.scene, needed.error());
+        planned.surfaceLights = std::move(*needed);
+    }
+    return planned;
+}
+
+Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
+                        const ShaftOptions& shafts) {
+    planned.view.sceneDepth = depth.farthest;
+    planned.depth = std::move(depth);
+    planned.displayStep = displayStep;
+    return makePlan(planned, view, shafts);
+}
+
+Outcome<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view) {
+    PlanOptions options = planned.options;
+    options.everything = true;
+    auto made = plan(planned.lights, planned.view, options, surroundingsOf(planned));
+    if (!made) return fail("{}: {}", view.scene, made.error().message);
+    return std::move(*made);
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,33 @@
+// From a file and options to a plan: what `render` and `explain` have in common.
+#pragma once
+
+#include <tyndall/plan.h>
+
+#include "../command/view_scene.h"
+#include "drawn_depth.h"
+#include "scene_facts.h"
+#include "surface_lights.h"
+
+namespace tyndall::app {
+
+struct PlannedScene : ViewedScene {
+    double range = 1.0;  ///< of 8-bit targets
+    SceneFacts facts;
+    std::vector<SurfaceLight> surfaceLights;
+    std::optional<DrawnDepth> depth;  ///< what the plan was made with
+    double displayStep = 0.0;         ///< as PlanOptions'
+    PlanOptions options;              ///< what the plan was made with, but for its technique, whose name is not kept
+    Plan plan;
+};
+
+/// Reads the scene and plans it, as far as that can be done before anything is drawn.
+Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts);
+
+/// Plans again, once the scene's depth and the display's step are known.
+Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
+                        const ShaftOptions& shafts);
+
+/// What the plan would be if nothing were left out.
+Outcome<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view);
+
+}  // namespace tyndall::app

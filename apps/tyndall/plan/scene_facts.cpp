@@ -1,0 +1,52 @@
+#include "scene_facts.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include "blockers.h"
+
+namespace tyndall::app {
+namespace {
+
+OccluderBox boxOf(const Scene& scene, const MeshInstance& instance) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    Bounds box;
+    for (const std::uint32_t index : mesh.indices) {
+        box.minimum = glm::min(box.minimum, glm::dvec3(mesh.vertices[index].position));
+        box.maximum = glm::max(box.maximum, glm::dvec3(mesh.vertices[index].position));
+    }
+    return {instance.worldFromMesh, box.minimum, box.maximum};
+}
+
+/// Of the values that the device gets: half floats.
+TextureSurvey surveyOf(const Image& image, bool wraps) {
+    std::vector<glm::vec4> texels(image.texels.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::unpackHalf4x16(glm::packHalf4x16(image.texels[i]));
+    return surveyTexture(static_cast<int>(image.width), static_cast<int>(image.height), texels, wraps);
+}
+
+}  // namespace
+
+SceneFacts surveyScene(const Scene& scene) {
+    SceneFacts facts;
+    for (const MeshInstance& instance : scene.instances)
+        if (!scene.meshes[instance.mesh].indices.empty()) facts.boxes.push_back(boxOf(scene, instance));
+    facts.blockers = findBlockers(scene);
+    facts.cookies.resize(scene.images.size());
+    facts.noises.resize(scene.images.size());
+    for (const SceneLight& light : scene.lights) {
+        if (light.cookie && !facts.cookies[*light.cookie])
+            facts.cookies[*light.cookie] = surveyOf(scene.images[*light.cookie], false);
+        if (light.noise && !facts.noises[*light.noise])
+            facts.noises[*light.noise] = surveyOf(scene.images[*light.noise], true);
+    }
+    for (const SceneLight& light : scene.lights)
+        facts.surveys.push_back({light.cookie ? &*facts.cookies[*light.cookie] : nullptr,
+                                 light.noise ? &*facts.noises[*light.noise] : nullptr});
+    return facts;
+}
+
+Surroundings surroundingsOf(const SceneFacts& facts) {
+    return {.occluders = std::span(facts.boxes), .blockers = facts.blockers, .depth = {}, .surveys = facts.surveys};
+}
+
+}  // namespace tyndall::app

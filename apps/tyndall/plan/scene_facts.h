@@ -1,0 +1,25 @@
+// What a plan may know of a scene, read off it once.
+#pragma once
+
+#include <tyndall/surroundings.h>
+
+#include <optional>
+#include <vector>
+
+#include "../scene/scene.h"
+
+namespace tyndall::app {
+
+struct SceneFacts {
+    std::vector<OccluderBox> boxes;  ///< by Scene::instances
+    std::vector<Blocker> blockers;
+    std::vector<std::optional<TextureSurvey>> cookies, noises;  ///< by Scene::images, of those that lights use as such
+    std::vector<LightSurvey> surveys;                           ///< by Scene::lights, into these
+};
+
+SceneFacts surveyScene(const Scene& scene);
+
+/// The facts as plan() takes them, which must not outlive `facts`.
+Surroundings surroundingsOf(const SceneFacts& facts);
+
+}  // namespace tyndall::app

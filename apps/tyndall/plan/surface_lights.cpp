@@ -1,0 +1,42 @@
+#include "surface_lights.h"
+
+#include <tyndall/plan.h>
+
+namespace tyndall::app {
+
+std::vector<SurfaceLight> allLights(std::span<const Light> lights,
+                                    std::span<const std::vector<std::size_t>> instances) {
+    std::vector<SurfaceLight> all;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        all.push_back({true, lights[i].shadow && !instances[i].empty(), {}});
+    return all;
+}
+
+Outcome<std::vector<SurfaceLight>> neededLights(std::span<const Light> lights, const View& view,
+                                                const Surroundings& surroundings, std::uint32_t shadowSize) {
+    // A plan with one slice a light, of air that scatters, seen from the same place: what it needs, surfaces need.
+    std::vector<Light> bare(lights.begin(), lights.end());
+    for (Light& light : bare) {
+        const bool dark = light.colour == glm::dvec3(0.0) || (light.intensity == 0.0 && light.ambient == 0.0);
+        light.colour = glm::dvec3(dark ? 0.0 : 1.0);
+        light.intensity = light.density = 1.0;
+        light.cookie = false;
+        light.noise.reset();
+    }
+    Surroundings known = surroundings;
+    known.surveys = {};
+    PlanOptions options;
+    options.slices = 1;
+    options.shadowMapSize = shadowSize;
+    const auto plan = tyndall::plan(bare, view, options, known);
+    if (!plan) return fail("{}", plan.error().message);
+    std::vector<SurfaceLight> needed;
+    for (const PlannedLight& light : plan->lights) {
+        const auto first = plan->walls.begin() + light.firstWall;
+        needed.push_back({light.drawn, light.drawn && light.shadow,
+                          light.drawn ? std::vector(first, first + light.walls) : std::vector<glm::dvec4>{}});
+    }
+    return needed;
+}
+
+}  // namespace tyndall::app
