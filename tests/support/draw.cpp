@@ -96,6 +96,8 @@ RendererCounters difference(const RendererCounters& after, const RendererCounter
     delta.pipelinesCreated = after.pipelinesCreated - before.pipelinesCreated;
     delta.bytesUploaded = after.bytesUploaded - before.bytesUploaded;
     delta.neutralTexturesCreated = after.neutralTexturesCreated - before.neutralTexturesCreated;
+    delta.shadowMapsDrawn = after.shadowMapsDrawn - before.shadowMapsDrawn;
+    delta.pipelinesPrepared = after.pipelinesPrepared - before.pipelinesPrepared;
     return delta;
 }
 
