@@ -149,6 +149,9 @@ nlohmann::ordered_json frameReport(const PlannedScene& planned, const ViewOption
     report["pipelinesCreated"] = {{"shafts", statistics.shafts.pipelinesCreated},
                                   {"surfaces", statistics.surfacePipelines}};
     report["pipelinesPrepared"] = statistics.shafts.pipelinesPrepared;
+    report["images"] = {{"uploaded", statistics.imagesUploaded},
+                        {"bytes", statistics.imageBytes},
+                        {"ofTheScene", planned.scene.images.size()}};
     report["memory"] = {{"deviceBytes", statistics.deviceBytes},
                         {"frameDataBytes", statistics.frameDataBytes},
                         {"bytesUploaded", statistics.shafts.bytesUploaded},

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "surfaces.h"
+#include "used_images.h"
 
 namespace tyndall::app {
 namespace {
@@ -54,6 +55,8 @@ Outcome<DrawnScene> drawScene(const headless::Device& device, Renderer& renderer
     auto gpu = uploadScene(device, viewed.scene);
     if (!gpu) return tl::unexpected(gpu.error());
     drawn.gpu = std::move(*gpu);
+    if (auto done = uploadImages(device, viewed.scene, surfaceImages(viewed, lights, lit), drawn.gpu); !done)
+        return tl::unexpected(done.error());
     auto colour = makeTarget(device, size, colourFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, "picture");
     if (!colour) return tl::unexpected(colour.error());
     drawn.colour = std::move(*colour);

@@ -16,7 +16,7 @@ constexpr VkFormat colourFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 
 struct DrawnScene {
-    GpuScene gpu;
+    GpuScene gpu;  ///< with the images that surfaces call for
     ShadowMaps maps;
     headless::Image colour;  ///< of the surfaces; COLOR_ATTACHMENT_OPTIMAL
     headless::Image depth;   ///< reversed, 0 where no surface is; DEPTH_READ_ONLY_OPTIMAL

@@ -50,11 +50,7 @@ Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene
         gpu.vertices = std::move(*vertexBuffer);
         gpu.indices = std::move(*indexBuffer);
     }
-    for (const Image& source : scene.images) {
-        auto image = uploadImage(device, source);
-        if (!image) return tl::unexpected(image.error());
-        gpu.images.push_back(std::move(*image));
-    }
+    gpu.images.resize(scene.images.size());
     for (const MeshInstance& instance : scene.instances) {
         gpu.occluders.push_back({.vertices = gpu.vertices.handle(),
                                  .vertexOffset = gpu.vertexOffset[instance.mesh],
@@ -65,6 +61,19 @@ Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene
                                  .worldFromMesh = instance.worldFromMesh});
     }
     return gpu;
+}
+
+Outcome<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
+                           GpuScene& gpu) {
+    for (std::size_t i = 0; i < scene.images.size(); ++i) {
+        if (!wanted[i] || gpu.images[i].handle()) continue;
+        auto image = uploadImage(device, scene.images[i]);
+        if (!image) return tl::unexpected(image.error());
+        gpu.images[i] = std::move(*image);
+        ++gpu.imagesUploaded;
+        gpu.imageBytes += scene.images[i].texels.size() * headless::texelBytes(imageFormat);
+    }
+    return {};
 }
 
 }  // namespace tyndall::app

@@ -16,10 +16,17 @@ struct GpuScene {
     headless::Buffer vertices, indices;      ///< of all meshes, one after the other
     std::vector<VkDeviceSize> vertexOffset;  ///< bytes, by mesh
     std::vector<VkDeviceSize> indexOffset;   ///< bytes, by mesh
-    std::vector<headless::Image> images;     ///< by Scene::images
+    std::vector<headless::Image> images;     ///< by Scene::images; empty where uploadImages() was not asked for it
     std::vector<Occluder> occluders;         ///< by Scene::instances
+    std::size_t imagesUploaded = 0;
+    std::uint64_t imageBytes = 0;  ///< uploaded
 };
 
+/// All but the images.
 Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene);
+
+/// The images that are `wanted`, by Scene::images, and not there yet.
+Outcome<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
+                           GpuScene& gpu);
 
 }  // namespace tyndall::app

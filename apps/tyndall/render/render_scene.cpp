@@ -15,6 +15,7 @@
 #include "all_cores.h"
 #include "drawn_scene.h"
 #include "pass_on.h"
+#include "used_images.h"
 
 namespace tyndall::app {
 namespace {
@@ -151,6 +152,8 @@ Outcome<Frame> drawFrame(const headless::Device& device, PlannedScene& planned, 
     frame.statistics.shafts.shadowMapsDrawn = renderer->counters().shadowMapsDrawn;
     frame.statistics.shafts.bytesUploaded = renderer->counters().bytesUploaded - uploadedBefore;
     frame.statistics.shafts.descriptorsPushed = renderer->counters().descriptorsPushed;
+    frame.statistics.imagesUploaded = drawn->gpu.imagesUploaded;
+    frame.statistics.imageBytes = drawn->gpu.imageBytes;
     frame.statistics.surfaceDraws = drawn->surfaceDraws;
     frame.statistics.surfacePipelines = drawn->surfacePipelines;
     frame.statistics.frameDataBytes = drawn->shadowData.memory() + shaftData.memory();
@@ -175,6 +178,9 @@ Outcome<DrawnScene> drawPlanned(const headless::Device& device, Renderer& render
     if (!surfaces) return tl::unexpected(surfaces.error());
     const double step = std::min(stepOf(*surfaces, shafts), mostStep);
     if (auto done = planAgain(planned, summarize(*depths, view.size, planned.view), step, view, shafts); !done)
+        return tl::unexpected(done.error());
+    // Only now is it known what the shafts call for.
+    if (auto done = uploadImages(device, planned.scene, shaftImages(planned.scene, planned.plan), drawn->gpu); !done)
         return tl::unexpected(done.error());
     return drawn;
 }

@@ -19,6 +19,7 @@ struct FrameStatistics {
     std::uint64_t fragments = 0;  ///< shaded while slices were added, rounded up by some drivers
     bool fragmentsKnown = false;  ///< false where the device does not count
     RendererCounters shafts;
+    std::uint64_t imagesUploaded = 0, imageBytes = 0;  ///< textures, cookies and noise, of surfaces and shafts
     std::uint64_t surfaceDraws = 0, surfacePipelines = 0;
     std::uint64_t deviceBytes = 0;     ///< most device memory held at once
     std::uint64_t frameDataBytes = 0;  ///< of that, the slices' vertices, indices and constants
