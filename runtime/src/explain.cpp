@@ -130,7 +130,7 @@ std::vector<std::string> savings(const PlannedLight& light) {
     if (seen > 0.0 && seen < 0.9 * whole)
         sentences.push_back("Of its " + metres(whole) + " along the axis, " + metres(seen) + " are seen, from " +
                             metres(light.seenNear) + " to " + metres(light.seenFar) + ".");
-    if (light.shadowVerdict == TermVerdict::Drawn && light.firstOccluder > light.seenNear)
+    if (light.divided)
         sentences.push_back("No shadow looked up before the first occluder, " + metres(light.firstOccluder) +
                             " from the lamp.");
     return sentences;

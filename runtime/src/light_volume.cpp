@@ -111,9 +111,13 @@ Verdict measure(LightVolume& volume, const Light& light, const View& view, const
     volume.farLit = std::min(-lastLit->z, view.farPlane);
     for (const glm::dvec4& wall : walls) volume.planes.push_back(wall);
     volume.walls = walls.size();
-    if (!cut(seen, before(view.sceneDepth), tolerance)) return Verdict::BehindScene;
-    if (!cutAll(seen, spanOf(viewSides(view, 1.0)), tolerance)) return Verdict::BesideView;
-    return Verdict::Drawn;
+    const auto shown = [&](ConvexPolyhedron& part) {
+        if (!cut(part, before(view.sceneDepth), tolerance)) return Verdict::BehindScene;
+        return cutAll(part, spanOf(viewSides(view, 1.0)), tolerance) ? Verdict::Drawn : Verdict::BesideView;
+    };
+    const Verdict hidden = shown(seen);
+    if (hidden == Verdict::Drawn || walls.empty()) return hidden;
+    return shown(solid) == Verdict::Drawn ? Verdict::BehindWalls : hidden;
 }
 
 }  // namespace

@@ -93,6 +93,11 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
     return need;
 }
 
+double FactorRange::largest() const {
+    const glm::dvec3 magnitude = glm::max(glm::abs(least), glm::abs(most));
+    return std::max({magnitude.x, magnitude.y, magnitude.z});
+}
+
 double FactorRange::spread() const {
     const glm::dvec3 half = 0.5 * (most - least);
     return std::max({half.x, half.y, half.z});

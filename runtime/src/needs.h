@@ -36,6 +36,8 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
 struct FactorRange {
     glm::dvec3 least{1.0}, most{1.0};
     glm::dvec3 middle() const { return 0.5 * (least + most); }
+    /// Largest magnitude, of any channel: a caller's float texture may hold negative values.
+    double largest() const;
     /// Half the largest difference, of any channel.
     double spread() const;
 };

@@ -32,26 +32,26 @@ Result<void> checkNoise(const Place& place, const Noise& noise) {
 
 Result<void> checkClipPlanes(const Place& where, const Light& light, const PlanOptions& options) {
     const std::size_t count = light.clipPlanes.size();
-    if (count == 0) return {};
-    const std::string place = where.text();
     if (count > 6)
-        return broken(place + ": clipPlanes has " + std::to_string(count) +
+        return broken(where.text() + ": clipPlanes has " + std::to_string(count) +
                       " planes: it must have at most 6; leave out those that cut nothing");
     if (options.geometry == Geometry::StretchedQuads && count > 2)
-        return broken(place + ": clipPlanes has " + std::to_string(count) +
+        return broken(where.text() + ": clipPlanes has " + std::to_string(count) +
                       " planes: it must have at most 2 with stretched quads, whose eight clip distances hold the six "
                       "planes of the pyramid; take exact polygons, which hold 6");
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dvec4& plane = light.clipPlanes[i];
         const double length = glm::length(glm::dvec3(plane));
-        const std::string written = "clipPlanes[" + std::to_string(i) + "] is (" + text(plane.x) + ", " +
-                                    text(plane.y) + ", " + text(plane.z) + ", " + text(plane.w) + ")";
+        const auto written = [&] {
+            return where.text() + ": clipPlanes[" + std::to_string(i) + "] is (" + text(plane.x) + ", " +
+                   text(plane.y) + ", " + text(plane.z) + ", " + text(plane.w) + ")";
+        };
         if (!(std::isfinite(length) && std::isfinite(plane.w)))
             return broken(
-                place + ": " + written +
+                written() +
                 ": all four numbers and the normal's length must be finite; check what they were computed from");
         if (!(length >= 1e-6))
-            return broken(place + ": " + written + ", whose normal has the length " + text(length) +
+            return broken(written() + ", whose normal has the length " + text(length) +
                           ": it must be 1e-6 or more; give a unit normal");
     }
     return {};

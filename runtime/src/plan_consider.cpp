@@ -99,8 +99,8 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
         candidate.noise = noiseRange(light, survey.noise);
     }
     if (!whole && !technique && physical) {
-        if (strongest(candidate.cookie.most) <= 0.0) planned.verdict = Verdict::DarkCookie;
-        if (strongest(candidate.noise.most) <= 0.0) planned.verdict = Verdict::NoDust;
+        if (candidate.cookie.largest() == 0.0) planned.verdict = Verdict::DarkCookie;
+        if (candidate.noise.largest() == 0.0) planned.verdict = Verdict::NoDust;
         if (planned.verdict != Verdict::Drawn) return false;
         if (light.cookie && uniform(candidate.cookie)) {
             planned.cookieVerdict = TermVerdict::Uniform;
@@ -128,7 +128,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.brightest = std::numeric_limits<double>::infinity();
     if (physical && air.any) {
         candidate.base = brightestWithoutTerms(light, air, candidate.slabs);
-        const double factor = strongest(candidate.cookie.most) * candidate.noise.most.x;
+        const double factor = candidate.cookie.largest() * candidate.noise.largest();
         if (std::isfinite(factor)) planned.brightest = candidate.base * factor;
     }
     planned.verdict = Verdict::Drawn;

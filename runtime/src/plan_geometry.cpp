@@ -127,6 +127,7 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
         behind += rest.count > 0;
     }
     light.slices = range.end - range.first;
+    light.divided = before > 0;
     if (lit) {
         appendPart(plan, light, light.firstIndex, before, false);
         const auto second = static_cast<std::uint32_t>(plan.indices.size());

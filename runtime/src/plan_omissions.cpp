@@ -11,10 +11,6 @@ namespace {
 // changes by one at most, and mostly by none.
 constexpr double budgetShare = 0.25;
 
-double strongest(const glm::dvec3& v) {
-    return std::max({v.x, v.y, v.z});
-}
-
 }  // namespace
 
 void leaveOutTheFaint(const PlanOptions& options, std::span<Candidate> candidates, std::span<PlannedLight> lights,
@@ -30,10 +26,9 @@ void leaveOutTheFaint(const PlanOptions& options, std::span<Candidate> candidate
         const PlannedLight& planned = lights[candidate.light];
         offer(planned.brightest, i, Omission::Kind::Light);
         if (planned.noise)
-            offer(candidate.base * strongest(candidate.cookie.most) * candidate.noise.spread(), i,
-                  Omission::Kind::Noise);
+            offer(candidate.base * candidate.cookie.largest() * candidate.noise.spread(), i, Omission::Kind::Noise);
         if (planned.cookie)
-            offer(candidate.base * candidate.noise.most.x * candidate.cookie.spread(), i, Omission::Kind::Cookie);
+            offer(candidate.base * candidate.noise.largest() * candidate.cookie.spread(), i, Omission::Kind::Cookie);
     }
     std::sort(scratch.begin(), scratch.end(), [](const Omission& a, const Omission& b) {
         return std::tie(a.error, a.candidate, a.kind) < std::tie(b.error, b.candidate, b.kind);

@@ -13,6 +13,8 @@ constexpr double mostGrowth = 0.5;
 constexpr double slabsPerDetail = 2.0;
 // Pixels that neighbouring slices lie apart at least: seen at 45 degrees, an edge then steps by so many.
 constexpr double leastPixels = 3.0;
+// As many as the budget may be at most.
+constexpr double mostBehindWalls = 65535.0;
 
 // 1 / cos of the least angle between the view's axis, forwards or backwards, and a ray of the lamp.
 double reach(double cosine, double half) {
@@ -71,8 +73,10 @@ Slabs slabsOf(const Light& light, const View& view, const PlanOptions& options, 
     slabs.least = glm::length(
         glm::dvec3(slabs.growth * light.nearPlane, leastPixels * pixel(view, options, volume.nearDepth), visible));
     const double wanted = counted(slabs, volume.farLit) - counted(slabs, volume.nearLit);
+    // What lies behind walls is drawn where everything is: it may take many slabs, but not any number of them.
+    const double all = counted(slabs, slabs.farDepth) - counted(slabs, slabs.nearDepth);
     // One less than may be: counting starts at the lamp, so both ends may be fractions.
-    slabs.scale = std::max(1.0, wanted / std::max(options.slices - 1, 1));
+    slabs.scale = std::max({1.0, wanted / std::max(options.slices - 1, 1), all / mostBehindWalls});
     slabs.first = static_cast<int>(std::ceil(counted(slabs, slabs.farDepth)));
     slabs.count = std::max(1, slabs.first - static_cast<int>(std::floor(counted(slabs, slabs.nearDepth))));
     return slabs;

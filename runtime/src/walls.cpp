@@ -134,7 +134,10 @@ bool covered(const Candidate& wall, const Candidates& walls, const Light& light,
         for (const SlicePolygon& piece : scratch.uncovered) subtract(piece, triangle, scratch.left);
         std::swap(scratch.left, scratch.uncovered);
         double sum = 0.0;
-        for (const SlicePolygon& piece : scratch.uncovered) sum += area(piece);
+        for (const SlicePolygon& piece : scratch.uncovered) {
+            if (piece.count == SlicePolygon::capacity) return false;  // corners may have been dropped
+            sum += area(piece);
+        }
         if (sum <= bare) return true;
         if (scratch.uncovered.size() > mostPieces) return false;
     }
@@ -169,13 +172,12 @@ InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view
                                             std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
                                             WallScratch& scratch) {
     Candidates walls = candidatesFor(light, view, bounds);
-    // A wall that is not covered, or that the others keep the light from, is none; without it the others' faces
-    // grow, and are looked at again.
+    // A wall that is not covered is none; without it the others' faces grow, and are looked at again.
+    std::array<bool, mostWalls> touched{};
     for (bool changed = true; changed && !walls.empty();) {
         changed = false;
         for (std::size_t i = 0; i < walls.size() && !changed; ++i) {
-            bool touched = false;
-            if (covered(walls[i], walls, light, blockers[walls[i].blocker], scratch, touched) && touched) continue;
+            if (covered(walls[i], walls, light, blockers[walls[i].blocker], scratch, touched[i])) continue;
             Candidates kept;
             for (std::size_t k = 0; k < walls.size(); ++k)
                 if (k != i) kept.push_back(walls[k]);
@@ -184,7 +186,9 @@ InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view
         }
     }
     InlineVector<glm::dvec4, mostWalls> planes;
-    for (const Candidate& wall : walls) {
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (!touched[i]) continue;  // the others keep the light from it
+        const Candidate& wall = walls[i];
         const glm::dvec4 behind = wall.plane + glm::dvec4(0.0, 0.0, 0.0, wallMargin(wall.plane.w));
         planes.push_back(unitPlane(behind * pose.lightFromView));
     }

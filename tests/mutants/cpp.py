@@ -15,10 +15,10 @@ SECONDS = 900  # a test program that takes longer hangs, which is noticed too
 # for the shaders.
 PROGRAMS = [
     ("tyndall_states_test", "tests/runtime", ["record"]),
-    ("tyndall_plan_test", "tests/runtime", ["plan", "weights"]),
+    ("tyndall_plan_test", "tests/runtime", ["plan", "needs", "weights"]),
     ("tyndall_record_calls_test", "tests/runtime", ["record"]),
-    ("tyndall_record_test", "tests/runtime", ["record", "plan", "weights"]),
-    ("tyndall_permutation_test", "tests/permutations", ["record", "plan", "weights"]),
+    ("tyndall_record_test", "tests/runtime", ["record", "plan", "needs", "weights"]),
+    ("tyndall_permutation_test", "tests/permutations", ["record", "plan", "needs", "weights"]),
 ]
 
 

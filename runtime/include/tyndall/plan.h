@@ -112,11 +112,11 @@ struct PlannedLight {
     double brightest = 0.0;  ///< no pixel gets more radiance from it, in its strongest channel; infinite where it
                              ///< was not asked for
     int slices = 0;          ///< that are drawn
-    double nearDepth = 0.0, farDepth = 0.0;    ///< metres of view depth that the volume's slabs span, drawn or not
-    double volumeNear = 0.0, volumeFar = 0.0;  ///< metres along the light's axis: all that its planes leave
-    double seenNear = 0.0, seenFar = 0.0;      ///< of that, what the view can see
-    double firstOccluder = 0.0;  ///< metres along the axis; before it, slices are drawn without shadow. volumeFar
-                                 ///< or more: there is none
+    double nearDepth = 0.0, farDepth = 0.0;        ///< metres of view depth that the volume's slabs span, drawn or not
+    double volumeNear = 0.0, volumeFar = 0.0;      ///< metres along the light's axis: all that its planes leave
+    double seenNear = 0.0, seenFar = 0.0;          ///< of that, what the view can see
+    double firstOccluder = 0.0;                    ///< metres along the axis. volumeFar or more: there is none
+    bool divided = false;                          ///< slices are drawn without shadow before it, with shadow behind it
     std::uint32_t firstWall = 0, walls = 0;        ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
@@ -172,8 +172,8 @@ struct Plan {
 /// any of them is not finite (View::farPlane may be infinite), where the routed format meets a number of
 /// slices that four does not divide, where stretched quads meet more than two extra clip planes, where
 /// `technique` names none of slices.fx, where lights times slices exceed 2^24 (those that are drawn), where surveys
-/// or depth tiles do not have the stated number of entries, or where a light's strength or noise overflows the
-/// shader's floats. Lights that would not be drawn are checked too.
+/// or depth tiles do not have the stated number of entries, where boxes, blockers or depths are no such thing, or where
+/// a light's strength or noise overflows the shader's floats. Lights that would not be drawn are checked too.
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings = {});
 
