@@ -126,7 +126,7 @@ TEST(Verdict, Hidden) {
     c.light.fov = {1.2, 1.2};
     c.view.clipFromView = perspectiveView(glm::dmat4(1.0), 0.3, 1.0, 0.1, 100.0).clipFromView;
     expectUndrawn(c, Verdict::BehindWalls,
-                  "Not drawn: what the view could show of its volume lies behind blockers that hold all its light up.");
+                  "Not drawn: what the view could show of its volume lies behind blockers that hold up all its light.");
     c = {};
     c.depth = {1.0f};
     expectUndrawn(c, Verdict::BehindTiles, "Not drawn: surfaces hide all of its volume.");
