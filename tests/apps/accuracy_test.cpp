@@ -5,7 +5,7 @@
 #include <study/metrics.h>
 #include <tyndall/plan/plan_scene.h>
 #include <tyndall/reference/reference_scene.h>
-#include <tyndall/render/render_scene.h>
+#include <tyndall/render/scene_renderer.h>
 
 #include <cmath>
 
@@ -36,7 +36,8 @@ study::FloatImage rendered(const headless::Device& device, const std::string& te
     shafts.accumulation = Accumulation::Rgba32f;
     shafts.planes = slices;
     PlannedScene planned = must(planScene(sampleView(), shafts));
-    const Frame frame = must(renderScene(device, planned, sampleView(), shafts, false));
+    const Frame frame =
+        must(must(SceneRenderer::create(device, planned.scene)).draw(planned, sampleView(), shafts, false));
     study::FloatImage image{width, height, 3, {}};
     for (const glm::vec3& pixel : frame.picture.pixels)
         for (int c = 0; c < 3; ++c) image.values.push_back(pixel[c]);

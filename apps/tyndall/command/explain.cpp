@@ -1,6 +1,6 @@
 #include <headless/device.h>
 
-#include "../render/render_scene.h"
+#include "../render/scene_renderer.h"
 #include "commands.h"
 #include "json_text.h"
 #include "report.h"
@@ -13,11 +13,9 @@ namespace {
 Outcome<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
     auto device = headless::Device::create();
     if (!device) return {};
-    auto renderer = Renderer::create({device->physicalDevice(), device->device(), VK_NULL_HANDLE});
-    if (!renderer) return fail("{}", renderer.error().message);
-    const auto drawn = drawPlanned(*device, *renderer, planned, options.view, options.shafts, VK_NULL_HANDLE);
-    if (!drawn) return tl::unexpected(drawn.error());
-    return {};
+    auto renderer = SceneRenderer::create(*device, planned.scene);
+    if (!renderer) return tl::unexpected(renderer.error());
+    return renderer->plan(planned, options.view, options.shafts);
 }
 
 }  // namespace

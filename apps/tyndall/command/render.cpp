@@ -5,7 +5,7 @@
 
 #include "../image/write_picture.h"
 #include "../render/pipeline_cache_file.h"
-#include "../render/render_scene.h"
+#include "../render/scene_renderer.h"
 #include "check_outputs.h"
 #include "commands.h"
 #include "json_text.h"
@@ -39,8 +39,9 @@ Outcome<Said> render(const RenderOptions& options) {
     if (!device) return fail("{}", device.error().message);
     Said said;
     auto cache = PipelineCacheFile::open(*device, options.pipelineCache, said.notes);
-    auto frame =
-        renderScene(*device, *planned, options.view, options.shafts, options.stats.has_value(), cache.handle());
+    auto renderer = SceneRenderer::create(*device, planned->scene, cache.handle());
+    if (!renderer) return tl::unexpected(renderer.error());
+    auto frame = renderer->draw(*planned, options.view, options.shafts, options.stats.has_value());
     if (!frame) return tl::unexpected(frame.error());
     if (options.validate)
         if (const auto messages = device->messages(); !messages.empty())

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "../plan/plan_scene.h"
-#include "../render/render_scene.h"
+#include "../render/frame_statistics.h"
 
 namespace tyndall::app {
 

@@ -1,6 +1,7 @@
 #include "plan_scene.h"
 
 #include "../render/automatic_range.h"
+#include "../render/scene_view.h"
 
 namespace tyndall::app {
 namespace {
@@ -25,6 +26,11 @@ PlanOptions optionsFor(const PlannedScene& planned, const ViewOptions& view, con
     return options;
 }
 
+void findRange(PlannedScene& planned, const ShaftOptions& shafts) {
+    if (eightBits(shafts.accumulation))
+        planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts);
+}
+
 Surroundings surroundingsOf(const PlannedScene& planned) {
     Surroundings known = surroundingsOf(planned.facts);
     if (planned.depth) known.depth = DepthTiles{planned.depth->columns, planned.depth->rows, planned.depth->tiles};
@@ -35,9 +41,9 @@ Outcome<void> makePlan(PlannedScene& planned, const ViewOptions& view, const Sha
     planned.options = optionsFor(planned, view, shafts);
     PlanOptions options = planned.options;
     if (shafts.technique) options.technique = *shafts.technique;
-    auto made = plan(planned.lights, planned.view, options, surroundingsOf(planned));
+    const auto made =
+        planned.planner.plan(planned.lights, planned.view, options, surroundingsOf(planned), planned.plan);
     if (!made) return fail("{}: {}", view.scene, made.error().message);
-    planned.plan = std::move(*made);
     return {};
 }
 
@@ -46,19 +52,28 @@ Outcome<void> makePlan(PlannedScene& planned, const ViewOptions& view, const Sha
 Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts) {
     auto viewed = viewScene(view);
     if (!viewed) return tl::unexpected(viewed.error());
-    PlannedScene planned{std::move(*viewed), 1.0, {}, {}, {}, 0.0, {}, {}};
+    PlannedScene planned;
+    static_cast<ViewedScene&>(planned) = std::move(*viewed);
     planned.facts = surveyScene(planned.scene);
-    if (eightBits(shafts.accumulation))
-        planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts);
+    findRange(planned, shafts);
     if (auto made = makePlan(planned, view, shafts); !made) return tl::unexpected(made.error());
+    return planned;
+}
+
+Outcome<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+    planned.depth.reset();
+    planned.view.sceneDepth = View{}.sceneDepth;
+    planned.instancesInLight = instancesByLight(planned.scene, planned.lights);
+    followInstances(planned.facts, planned.scene);
+    findRange(planned, shafts);
     if (shafts.everything) {
         planned.surfaceLights = allLights(planned.lights, planned.instancesInLight);
-    } else {
-        auto needed = neededLights(planned.lights, planned.view, surroundingsOf(planned.facts), shafts.shadowSize);
-        if (!needed) return fail("{}: {}", view.scene, needed.error());
-        planned.surfaceLights = std::move(*needed);
+        return {};
     }
-    return planned;
+    auto needed = neededLights(planned.planner, planned.lights, planned.view, surroundingsOf(planned.facts),
+                               shafts.shadowSize, planned.surfacePlan, planned.surfaceLights);
+    if (!needed) return fail("{}: {}", view.scene, needed.error());
+    return {};
 }
 
 Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,

@@ -13,15 +13,21 @@ namespace tyndall::app {
 struct PlannedScene : ViewedScene {
     double range = 1.0;  ///< of 8-bit targets
     SceneFacts facts;
-    std::vector<SurfaceLight> surfaceLights;
-    std::optional<DrawnDepth> depth;  ///< what the plan was made with
-    double displayStep = 0.0;         ///< as PlanOptions'
-    PlanOptions options;              ///< what the plan was made with, but for its technique, whose name is not kept
+    std::vector<SurfaceLight> surfaceLights;  ///< by lookAround()
+    std::optional<DrawnDepth> depth;          ///< what the plan was made with
+    double displayStep = 0.0;                 ///< as PlanOptions'
+    PlanOptions options;  ///< what the plan was made with, but for its technique, whose name is not kept
     Plan plan;
+    Planner planner;   ///< keeps its memory, and so do the plans
+    Plan surfacePlan;  ///< what surfaceLights were read off
 };
 
 /// Reads the scene and plans it, as far as that can be done before anything is drawn.
 Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts);
+
+/// To be called once camera, lights or instances have moved: finds out what plan() may know of the scene as it stands,
+/// and how its lamps light its surfaces. The depth of the frame before is forgotten.
+Outcome<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
 /// Plans again, once the scene's depth and the display's step are known.
 Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,

@@ -45,6 +45,18 @@ SceneFacts surveyScene(const Scene& scene) {
     return facts;
 }
 
+void followInstances(SceneFacts& facts, const Scene& scene) {
+    bool moved = false;
+    std::size_t box = 0;
+    for (const MeshInstance& instance : scene.instances) {
+        if (scene.meshes[instance.mesh].indices.empty()) continue;
+        glm::dmat4& known = facts.boxes[box++].worldFromBox;
+        moved = moved || known != instance.worldFromMesh;
+        known = instance.worldFromMesh;
+    }
+    if (moved) facts.blockers = findBlockers(scene);
+}
+
 Surroundings surroundingsOf(const SceneFacts& facts) {
     return {.occluders = std::span(facts.boxes), .blockers = facts.blockers, .depth = {}, .surveys = facts.surveys};
 }

@@ -11,13 +11,16 @@
 namespace tyndall::app {
 
 struct SceneFacts {
-    std::vector<OccluderBox> boxes;  ///< by Scene::instances
+    std::vector<OccluderBox> boxes;  ///< of those of Scene::instances that have triangles, in their order
     std::vector<Blocker> blockers;
     std::vector<std::optional<TextureSurvey>> cookies, noises;  ///< by Scene::images, of those that lights use as such
     std::vector<LightSurvey> surveys;                           ///< by Scene::lights, into these
 };
 
 SceneFacts surveyScene(const Scene& scene);
+
+/// Brings the facts up to date where instances have moved since.
+void followInstances(SceneFacts& facts, const Scene& scene);
 
 /// The facts as plan() takes them, which must not outlive `facts`.
 Surroundings surroundingsOf(const SceneFacts& facts);

@@ -1,7 +1,5 @@
 #include "surface_lights.h"
 
-#include <tyndall/plan.h>
-
 namespace tyndall::app {
 
 std::vector<SurfaceLight> allLights(std::span<const Light> lights,
@@ -12,8 +10,9 @@ std::vector<SurfaceLight> allLights(std::span<const Light> lights,
     return all;
 }
 
-Outcome<std::vector<SurfaceLight>> neededLights(std::span<const Light> lights, const View& view,
-                                                const Surroundings& surroundings, std::uint32_t shadowSize) {
+Outcome<void> neededLights(Planner& planner, std::span<const Light> lights, const View& view,
+                           const Surroundings& surroundings, std::uint32_t shadowSize, Plan& plan,
+                           std::vector<SurfaceLight>& needed) {
     // A plan with one slice a light, of air that scatters, seen from the same place: what it needs, surfaces need.
     std::vector<Light> bare(lights.begin(), lights.end());
     for (Light& light : bare) {
@@ -28,15 +27,15 @@ Outcome<std::vector<SurfaceLight>> neededLights(std::span<const Light> lights, c
     PlanOptions options;
     options.slices = 1;
     options.shadowMapSize = shadowSize;
-    const auto plan = tyndall::plan(bare, view, options, known);
-    if (!plan) return fail("{}", plan.error().message);
-    std::vector<SurfaceLight> needed;
-    for (const PlannedLight& light : plan->lights) {
-        const auto first = plan->walls.begin() + light.firstWall;
+    if (const auto made = planner.plan(bare, view, options, known, plan); !made)
+        return fail("{}", made.error().message);
+    needed.clear();
+    for (const PlannedLight& light : plan.lights) {
+        const auto first = plan.walls.begin() + light.firstWall;
         needed.push_back({light.drawn, light.drawn && light.shadow,
                           light.drawn ? std::vector(first, first + light.walls) : std::vector<glm::dvec4>{}});
     }
-    return needed;
+    return {};
 }
 
 }  // namespace tyndall::app

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tyndall/light.h>
+#include <tyndall/plan.h>
 #include <tyndall/surroundings.h>
 #include <tyndall/view.h>
 
@@ -24,7 +25,9 @@ struct SurfaceLight {
 std::vector<SurfaceLight> allLights(std::span<const Light> lights, std::span<const std::vector<std::size_t>> instances);
 
 /// What the view calls for: no lamp whose volume it misses, no shadow map where only walls stand in the light's way.
-Outcome<std::vector<SurfaceLight>> neededLights(std::span<const Light> lights, const View& view,
-                                                const Surroundings& surroundings, std::uint32_t shadowSize);
+/// Uses the planner's memory and `plan`'s.
+Outcome<void> neededLights(Planner& planner, std::span<const Light> lights, const View& view,
+                           const Surroundings& surroundings, std::uint32_t shadowSize, Plan& plan,
+                           std::vector<SurfaceLight>& needed);
 
 }  // namespace tyndall::app

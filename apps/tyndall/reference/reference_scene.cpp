@@ -2,7 +2,8 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "../render/drawn_scene.h"
+#include "../render/read_back.h"
+#include "../render/scene_renderer.h"
 
 namespace tyndall::app {
 namespace {
@@ -77,17 +78,21 @@ study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& o
 Outcome<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
                                              const ViewOptions& options, std::uint32_t shadowSize) {
     study::ReferenceScene scene = commonPart(viewed, options, study::Mode::Hardware);
-    auto renderer = Renderer::create({device.physicalDevice(), device.device(), VK_NULL_HANDLE});
-    if (!renderer) return fail("{}", renderer.error().message);
+    auto renderer = SceneRenderer::create(device, viewed.scene);
+    if (!renderer) return tl::unexpected(renderer.error());
     const auto lighting = allLights(viewed.lights, viewed.instancesInLight);
-    auto drawn = drawScene(device, *renderer, viewed, lighting, options.size, shadowSize, false);
-    if (!drawn) return tl::unexpected(drawn.error());
-    auto depth = readDepth(device, drawn->depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+    if (auto drawn = renderer->drawSurfaces(viewed, lighting, options.size, shadowSize, false); !drawn)
+        return tl::unexpected(drawn.error());
+    std::vector<std::size_t> shadowed;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (scene.lights[i].light.shadow) shadowed.push_back(i);
+    if (auto drawn = renderer->drawShadowMaps(viewed, shadowed, shadowSize); !drawn)
+        return tl::unexpected(drawn.error());
+    auto depth = readDepth(device, renderer->targets().depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
     if (!depth) return tl::unexpected(depth.error());
     scene.depth = depthTexture(scene.width, scene.height, std::move(*depth));
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (!scene.lights[i].light.shadow) continue;
-        auto map = readDepth(device, drawn->maps.images[i], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    for (const std::size_t i : shadowed) {
+        auto map = readDepth(device, *renderer->shadowMaps().image(i), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         if (!map) return tl::unexpected(map.error());
         const int side = static_cast<int>(shadowSize);
         scene.lights[i].shadowMap = depthTexture(side, side, std::move(*map));

@@ -32,8 +32,9 @@ Outcome<headless::Buffer> hostBuffer(const headless::Device& device, const std::
 
 }  // namespace
 
-Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene) {
+Outcome<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene) {
     GpuScene gpu;
+    gpu.images.resize(scene.images.size());
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     for (const Mesh& mesh : scene.meshes) {
@@ -42,24 +43,13 @@ Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene
         vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
         indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
     }
-    if (!indices.empty()) {
-        auto vertexBuffer = hostBuffer(device, vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "scene vertices");
-        if (!vertexBuffer) return tl::unexpected(vertexBuffer.error());
-        auto indexBuffer = hostBuffer(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "scene indices");
-        if (!indexBuffer) return tl::unexpected(indexBuffer.error());
-        gpu.vertices = std::move(*vertexBuffer);
-        gpu.indices = std::move(*indexBuffer);
-    }
-    gpu.images.resize(scene.images.size());
-    for (const MeshInstance& instance : scene.instances) {
-        gpu.occluders.push_back({.vertices = gpu.vertices.handle(),
-                                 .vertexOffset = gpu.vertexOffset[instance.mesh],
-                                 .vertexStride = sizeof(Vertex),
-                                 .indices = gpu.indices.handle(),
-                                 .indexOffset = gpu.indexOffset[instance.mesh],
-                                 .indexCount = static_cast<std::uint32_t>(scene.meshes[instance.mesh].indices.size()),
-                                 .worldFromMesh = instance.worldFromMesh});
-    }
+    if (indices.empty()) return gpu;
+    auto vertexBuffer = hostBuffer(device, vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "scene vertices");
+    if (!vertexBuffer) return tl::unexpected(vertexBuffer.error());
+    auto indexBuffer = hostBuffer(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "scene indices");
+    if (!indexBuffer) return tl::unexpected(indexBuffer.error());
+    gpu.vertices = std::move(*vertexBuffer);
+    gpu.indices = std::move(*indexBuffer);
     return gpu;
 }
 
@@ -74,6 +64,17 @@ Outcome<void> uploadImages(const headless::Device& device, const Scene& scene, c
         gpu.imageBytes += scene.images[i].texels.size() * headless::texelBytes(imageFormat);
     }
     return {};
+}
+
+Occluder occluderOf(const GpuScene& gpu, const Scene& scene, std::size_t instance) {
+    const auto& [mesh, worldFromMesh] = scene.instances[instance];
+    return {.vertices = gpu.vertices.handle(),
+            .vertexOffset = gpu.vertexOffset[mesh],
+            .vertexStride = sizeof(Vertex),
+            .indices = gpu.indices.handle(),
+            .indexOffset = gpu.indexOffset[mesh],
+            .indexCount = static_cast<std::uint32_t>(scene.meshes[mesh].indices.size()),
+            .worldFromMesh = worldFromMesh};
 }
 
 }  // namespace tyndall::app

@@ -5,6 +5,7 @@
 #include <headless/image.h>
 #include <tyndall/renderer.h>
 
+#include <cstdint>
 #include <vector>
 
 #include "../outcome.h"
@@ -17,16 +18,16 @@ struct GpuScene {
     std::vector<VkDeviceSize> vertexOffset;  ///< bytes, by mesh
     std::vector<VkDeviceSize> indexOffset;   ///< bytes, by mesh
     std::vector<headless::Image> images;     ///< by Scene::images; empty where uploadImages() was not asked for it
-    std::vector<Occluder> occluders;         ///< by Scene::instances
-    std::size_t imagesUploaded = 0;
-    std::uint64_t imageBytes = 0;  ///< uploaded
+    std::uint64_t imagesUploaded = 0, imageBytes = 0;
 };
 
-/// All but the images.
-Outcome<GpuScene> uploadScene(const headless::Device& device, const Scene& scene);
+Outcome<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene);
 
 /// The images that are `wanted`, by Scene::images, and not there yet.
 Outcome<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
                            GpuScene& gpu);
+
+/// An instance where it stands now.
+Occluder occluderOf(const GpuScene& gpu, const Scene& scene, std::size_t instance);
 
 }  // namespace tyndall::app

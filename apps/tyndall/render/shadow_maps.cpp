@@ -2,35 +2,71 @@
 
 #include <headless/commands.h>
 
+#include <algorithm>
+
 namespace tyndall::app {
-Outcome<ShadowMaps> drawShadowMaps(const headless::Device& device, Renderer& renderer, FrameData& frame,
-                                   const ViewedScene& viewed, std::span<const SurfaceLight> lights, const GpuScene& gpu,
-                                   std::uint32_t size) {
-    ShadowMaps maps;
-    maps.images.resize(lights.size());
-    maps.views.resize(lights.size(), VK_NULL_HANDLE);
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (!lights[i].shadowMap) continue;
-        auto image =
-            headless::Image::create(device, {.extent = {size, size},
-                                             .format = shadowFormat,
-                                             .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
-                                                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                                             .name = "shadow map"});
-        if (!image) return fail("--shadow-size {}: {}", size, image.error().message);
-        maps.images[i] = std::move(*image);
-        maps.views[i] = maps.images[i].view();
+
+const headless::Image* ShadowMaps::image(std::size_t light) const {
+    if (light >= slotOf_.size() || !slotOf_[light]) return nullptr;
+    const Slot& slot = slots_[*slotOf_[light]];
+    return slot.frame == frame_ ? &slot.image : nullptr;
+}
+
+Outcome<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::size_t light, std::uint32_t size) {
+    if (slotOf_[light]) return *slotOf_[light];
+    const auto oldest = std::ranges::min_element(slots_, {}, &Slot::frame);
+    if (oldest != slots_.end() && oldest->frame != frame_) {
+        slotOf_[oldest->light].reset();
+        cache_.invalidate(oldest->light);
+        oldest->light = light;
+        return *(slotOf_[light] = static_cast<std::size_t>(oldest - slots_.begin()));
     }
+    auto image = headless::Image::create(device, {.extent = {size, size},
+                                                  .format = shadowFormat,
+                                                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                                           VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                                                  .name = "shadow map"});
+    if (!image) return fail("--shadow-size {}: {}", size, image.error().message);
+    slots_.push_back({std::move(*image), light, frame_});
+    return *(slotOf_[light] = slots_.size() - 1);
+}
+
+Outcome<double> ShadowMaps::draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
+                                 std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size) {
+    if (size != size_) {
+        slots_.clear();
+        slotOf_.clear();
+        cache_.invalidate();
+        size_ = size;
+    }
+    slotOf_.resize(viewed.lights.size());
+    // Those that are there already first: none of them may be given away.
+    for (const std::size_t light : lights)
+        if (slotOf_[light]) slots_[*slotOf_[light]].frame = frame_;
+    struct Stale {
+        std::size_t light, slot;
+        std::vector<Occluder> occluders;
+    };
+    std::vector<Stale> stale;
     std::vector<Occluder> occluders;
+    for (const std::size_t light : lights) {
+        const auto slot = slotFor(device, light, size);
+        if (!slot) return tl::unexpected(slot.error());
+        slots_[*slot].frame = frame_;
+        occluders.clear();
+        for (const std::size_t instance : viewed.instancesInLight[light])
+            occluders.push_back(occluderOf(gpu, viewed.scene, instance));
+        if (cache_.stale(light, viewed.lights[light], occluders, size)) stale.push_back({light, *slot, occluders});
+    }
+    if (stale.empty()) return 0.0;
+    // What earlier maps were drawn with is not needed any more; an empty plan makes the memory free.
+    if (auto reset = renderer.upload(data_, Plan{}); !reset) return fail("the shadow maps: {}", reset.error().message);
     const auto time = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
-        for (std::size_t i = 0; i < lights.size(); ++i) {
-            if (maps.views[i] == VK_NULL_HANDLE) continue;
-            const headless::Image& image = maps.images[i];
+        for (const Stale& map : stale) {
+            const headless::Image& image = slots_[map.slot].image;
             headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-            occluders.clear();
-            for (const std::size_t instance : viewed.instancesInLight[i]) occluders.push_back(gpu.occluders[instance]);
-            auto drawn = renderer.recordShadowMap(commands, frame, viewed.lights[i], occluders, image.view(),
-                                                  shadowFormat, size);
+            auto drawn = renderer.recordShadowMap(commands, data_, viewed.lights[map.light], map.occluders,
+                                                  image.view(), shadowFormat, size);
             if (!drawn) return drawn;
             headless::transition(commands, image, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
@@ -38,8 +74,8 @@ Outcome<ShadowMaps> drawShadowMaps(const headless::Device& device, Renderer& ren
         return {};
     });
     if (!time) return fail("the shadow maps: {}", time.error().message);
-    maps.milliseconds = *time;
-    return maps;
+    for (const Stale& map : stale) cache_.drawn(map.light, viewed.lights[map.light], map.occluders, size);
+    return *time;
 }
 
 }  // namespace tyndall::app

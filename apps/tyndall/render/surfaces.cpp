@@ -118,14 +118,12 @@ struct Lit {
 };
 
 /// Base passes first: they lay down depth.
-std::vector<Lit> listDraws(const ViewedScene& viewed, std::span<const SurfaceLight> lights, bool lit) {
-    std::vector<Lit> draws;
-    for (std::size_t i = 0; i < viewed.scene.instances.size(); ++i) draws.push_back({i, std::nullopt});
-    for (std::size_t light = 0; light < lights.size() && lit; ++light) {
-        if (!lights[light].reaches) continue;
-        for (const std::size_t instance : viewed.instancesInLight[light]) draws.push_back({instance, light});
+void listDraws(const SurfaceInputs& inputs, std::vector<Lit>& draws) {
+    for (std::size_t i = 0; i < inputs.viewed.scene.instances.size(); ++i) draws.push_back({i, std::nullopt});
+    for (std::size_t light = 0; light < inputs.lights.size() && inputs.lit; ++light) {
+        if (!inputs.lights[light].reaches) continue;
+        for (const std::size_t instance : inputs.viewed.instancesInLight[light]) draws.push_back({instance, light});
     }
-    return draws;
 }
 
 }  // namespace
@@ -136,21 +134,23 @@ Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipeli
     return std::move(*pipelines);
 }
 
-Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour,
-                                     VkFormat depth, const ViewedScene& viewed, std::span<const SurfaceLight> lights,
-                                     const GpuScene& gpu, std::span<const VkImageView> shadowMaps,
-                                     std::uint32_t shadowSize, bool lit) {
-    SurfacePass pass;
+Outcome<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
+                              const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass) {
+    pass.draws.clear();
+    const auto& [viewed, lights, maps, shadowSize, lit] = inputs;
     const Scene& scene = viewed.scene;
-    if (scene.instances.empty()) return pass;
-    const std::vector<Lit> draws = listDraws(viewed, lights, lit);
+    if (scene.instances.empty()) return {};
+    std::vector<Lit> draws;
+    listDraws(inputs, draws);
     const VkDeviceSize alignment =
         std::max<VkDeviceSize>(device.properties().limits.minUniformBufferOffsetAlignment, 16);
     const VkDeviceSize block = (blockBytes + alignment - 1) / alignment * alignment;
-    auto buffer = headless::Buffer::create(device, block * draws.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                                           headless::MemoryPlace::Host, "surface uniforms");
-    if (!buffer) return fail("the surfaces' constants: {}", buffer.error().message);
-    pass.uniforms = std::move(*buffer);
+    if (pass.uniforms.size() < block * draws.size()) {
+        auto buffer = headless::Buffer::create(device, block * draws.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                                               headless::MemoryPlace::Host, "surface uniforms");
+        if (!buffer) return fail("the surfaces' constants: {}", buffer.error().message);
+        pass.uniforms = std::move(*buffer);
+    }
     const std::span<std::byte> mapped = pass.uniforms.mapped();
     std::ranges::fill(mapped, std::byte{0});
 
@@ -171,9 +171,10 @@ Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelin
         if (one.light) {
             const std::size_t l = *one.light;
             setLight(uniforms, viewed.lights[l], lights[l].walls, viewed.view, shadowSize);
-            const bool shadow = shadowMaps[l] != VK_NULL_HANDLE;
+            const VkImageView map = maps.view(l);
+            const bool shadow = map != VK_NULL_HANDLE;
             const std::optional<std::size_t> cookie = scene.lights[l].cookie;
-            if (shadow) draw.images.push_back(named("ShadowMapSampler", shadowMaps[l]));
+            if (shadow) draw.images.push_back(named("ShadowMapSampler", map));
             if (cookie) draw.images.push_back(named("CookieSampler", gpu.images[*cookie].view()));
             technique = lightTechnique(shadow, cookie.has_value(), textured);
         }
@@ -185,7 +186,7 @@ Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelin
         draw.pipeline = *pipeline;
         pass.draws.push_back(std::move(draw));
     }
-    return pass;
+    return {};
 }
 
 Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,
@@ -223,9 +224,9 @@ Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipel
         const NamedBuffer block{globals, draw.uniforms};
         if (auto pushed = pipelines.push(commands, draw.pipeline, std::span(&block, 1), draw.images); !pushed)
             return tl::unexpected(pushed.error());
-        const Occluder& vertices = gpu.occluders[draw.instance];
+        const VkBuffer vertices = gpu.vertices.handle();
         constexpr VkDeviceSize stride = sizeof(Vertex);
-        vkCmdBindVertexBuffers2(commands, 0, 1, &vertices.vertices, &vertices.vertexOffset, nullptr, &stride);
+        vkCmdBindVertexBuffers2(commands, 0, 1, &vertices, &gpu.vertexOffset[instance.mesh], nullptr, &stride);
         vkCmdBindIndexBuffer(commands, gpu.indices.handle(), gpu.indexOffset[instance.mesh], VK_INDEX_TYPE_UINT32);
         vkCmdDrawIndexed(commands, static_cast<std::uint32_t>(mesh.indices.size()), 1, 0, 0, 0);
     }

@@ -13,6 +13,7 @@
 #include "../outcome.h"
 #include "../plan/surface_lights.h"
 #include "gpu_scene.h"
+#include "shadow_maps.h"
 
 namespace tyndall::app {
 
@@ -30,21 +31,27 @@ struct SurfaceDraw {
     std::vector<NamedImage> images;
 };
 
+/// Grows as needed, and may be prepared again once what was recorded with it is done.
 struct SurfacePass {
     headless::Buffer uniforms;
     std::vector<SurfaceDraw> draws;
 };
 
+struct SurfaceInputs {
+    const ViewedScene& viewed;
+    std::span<const SurfaceLight> lights;  ///< one for each of viewed.lights
+    const ShadowMaps& maps;
+    std::uint32_t shadowSize = 0;
+    bool lit = true;  ///< false: surfaces are black and only hide what is behind them
+};
+
 /// The pipelines of scene.fx, made with `cache`, which may be null.
 Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache);
 
-/// Prepares one base draw for each instance, and one for each light that reaches the picture and the instance;
-/// without `lit`, surfaces are black and only hide what is behind them. `shadowMaps` holds a view for each light, null
-/// where it has none. The pipelines draw into targets of those two formats.
-Outcome<SurfacePass> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour,
-                                     VkFormat depth, const ViewedScene& viewed, std::span<const SurfaceLight> lights,
-                                     const GpuScene& gpu, std::span<const VkImageView> shadowMaps,
-                                     std::uint32_t shadowSize, bool lit);
+/// Prepares one base draw for each instance, and one for each light that reaches the picture and the instance. `gpu`
+/// has the images that they call for. The pipelines draw into targets of those two formats.
+Outcome<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
+                              const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass);
 
 Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,
                             const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets);

@@ -1,0 +1,36 @@
+#include "frame_targets.h"
+
+#include <tyndall/renderer.h>
+
+namespace tyndall::app {
+namespace {
+
+Outcome<void> make(const headless::Device& device, headless::Image& image, VkExtent2D extent, VkFormat format,
+                   VkImageUsageFlags usage, std::string_view name) {
+    const VkExtent2D there = image.extent();
+    if (there.width == extent.width && there.height == extent.height && image.format() == format) return {};
+    auto made = headless::Image::create(device, {.extent = extent, .format = format, .usage = usage, .name = name});
+    if (!made) return fail("a picture of {}x{}: {}", extent.width, extent.height, made.error().message);
+    image = std::move(*made);
+    return {};
+}
+
+}  // namespace
+
+Outcome<void> fit(const headless::Device& device, FrameTargets& targets, Size size) {
+    const VkExtent2D extent{size.width, size.height};
+    auto colour = make(device, targets.colour, extent, colourFormat,
+                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, "picture");
+    if (!colour) return colour;
+    return make(
+        device, targets.depth, extent, depthFormat,
+        VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+        "scene depth");
+}
+
+Outcome<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation) {
+    return make(device, targets.accumulation, targets.colour.extent(), accumulationFormat(accumulation),
+                VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, "accumulated slices");
+}
+
+}  // namespace tyndall::app

@@ -1,0 +1,25 @@
+// What frames are drawn to, kept while their size stays the same.
+#pragma once
+
+#include <headless/image.h>
+
+#include "../options.h"
+
+namespace tyndall::app {
+
+constexpr VkFormat colourFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
+
+struct FrameTargets {
+    headless::Image colour;        ///< COLOR_ATTACHMENT_OPTIMAL once surfaces are drawn
+    headless::Image depth;         ///< reversed, 0 where no surface is; then DEPTH_READ_ONLY_OPTIMAL
+    headless::Image accumulation;  ///< made for the first frame that shows a shaft
+};
+
+/// Makes colour and depth of that size, unless they are there.
+Outcome<void> fit(const headless::Device& device, FrameTargets& targets, Size size);
+
+/// Makes the accumulation target, as large as colour and depth, unless it is there.
+Outcome<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation);
+
+}  // namespace tyndall::app

@@ -1,0 +1,201 @@
+#include "scene_renderer.h"
+
+#include <headless/commands.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "../image/tone_map.h"
+#include "all_cores.h"
+#include "draw_shafts.h"
+#include "pass_on.h"
+#include "read_back.h"
+#include "used_images.h"
+
+namespace tyndall::app {
+namespace {
+
+/// The step that the display shows of a picture at its exposure; 0 where it shows nothing, or where nothing is shown.
+double stepOf(const Picture& picture, const ShaftOptions& shafts) {
+    if (!shafts.displayed) return 0.0;
+    if (shafts.exposure) return displayStep(*shafts.exposure);
+    const bool black = std::ranges::all_of(picture.pixels, [](const glm::vec3& p) { return p == glm::vec3(0.0f); });
+    return black ? 0.0 : displayStep(automaticExposure(picture));
+}
+
+std::vector<std::size_t> mapsCalledFor(std::span<const SurfaceLight> surfaceLights) {
+    std::vector<std::size_t> lights;
+    for (std::size_t i = 0; i < surfaceLights.size(); ++i)
+        if (surfaceLights[i].shadowMap) lights.push_back(i);
+    return lights;
+}
+
+/// What the slices look up. Where nothing stands in a light's volume its map would be empty, and none is needed.
+std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
+    if (planned.options.everything) return mapsCalledFor(planned.surfaceLights);
+    std::vector<std::size_t> lights;
+    for (const PlannedLight& light : planned.plan.lights)
+        if (light.drawn && light.shadow && planned.lights[light.light].shadow &&
+            !planned.instancesInLight[light.light].empty())
+            lights.push_back(light.light);
+    return lights;
+}
+
+}  // namespace
+
+Outcome<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene,
+                                             VkPipelineCache cache) {
+    auto renderer = Renderer::create({device.physicalDevice(), device.device(), cache});
+    if (!renderer) return fail("{}", renderer.error().message);
+    auto pipelines = surfacePipelines(device, cache);
+    if (!pipelines) return tl::unexpected(pipelines.error());
+    auto gpu = uploadMeshes(device, scene);
+    if (!gpu) return tl::unexpected(gpu.error());
+    return SceneRenderer(device, std::move(*renderer), std::move(*pipelines), std::move(*gpu));
+}
+
+Outcome<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
+                                            std::uint32_t shadowSize) {
+    const auto time = maps_.draw(*device_, renderer_, viewed, lights, gpu_, shadowSize);
+    if (!time) return tl::unexpected(time.error());
+    frame_.shadowMaps += *time;
+    return {};
+}
+
+Outcome<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
+                                          std::uint32_t shadowSize, bool lit) {
+    if (auto fitted = fit(*device_, targets_, size); !fitted) return fitted;
+    if (lit)
+        if (auto drawn = drawShadowMaps(viewed, mapsCalledFor(lights), shadowSize); !drawn) return drawn;
+    auto uploaded = uploadImages(*device_, viewed.scene, surfaceImages(viewed, lights, lit), gpu_);
+    if (!uploaded) return uploaded;
+    auto prepared = prepareSurfaces(*device_, surfacePipelines_, colourFormat, depthFormat,
+                                    {viewed, lights, maps_, shadowSize, lit}, gpu_, surfaces_);
+    if (!prepared) return prepared;
+    const auto time = headless::submitAndWait(*device_, [&](VkCommandBuffer commands) -> Result<void> {
+        headless::transition(commands, targets_.colour, VK_IMAGE_LAYOUT_UNDEFINED,
+                             VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+        headless::transition(commands, targets_.depth, VK_IMAGE_LAYOUT_UNDEFINED,
+                             VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
+        auto recorded = recordSurfaces(commands, surfacePipelines_, surfaces_, viewed.scene, gpu_,
+                                       {targets_.colour.extent(), targets_.colour.view(), targets_.depth.view()});
+        headless::transition(commands, targets_.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
+                             VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+        return recorded;
+    });
+    if (!time) return fail("the surfaces: {}", time.error().message);
+    frame_.surfaces = *time;
+    frame_.surfaceDraws = surfaces_.draws.size();
+    return {};
+}
+
+Outcome<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
+                                         double mostStep) {
+    auto drawn = drawSurfaces(planned, planned.surfaceLights, view.size, shafts.shadowSize, view.layer == Layer::All);
+    if (!drawn) return drawn;
+    const auto depths = readDepth(*device_, targets_.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
+    if (!depths) return tl::unexpected(depths.error());
+    Picture surfaces;
+    if (shafts.displayed && !shafts.exposure) {
+        auto read = readPicture(*device_, targets_.colour);
+        if (!read) return tl::unexpected(read.error());
+        surfaces = std::move(*read);
+    }
+    return planAgain(planned, summarize(*depths, view.size, planned.view), std::min(stepOf(surfaces, shafts), mostStep),
+                     view, shafts);
+}
+
+/// All that drawShafts() will draw with, on all cores.
+Outcome<void> SceneRenderer::preparePipelines(const Plan& plan) {
+    std::vector<std::string_view> techniques;
+    for (const PlannedPart& part : plan.parts) techniques.push_back(part.technique);
+    const auto start = std::chrono::steady_clock::now();
+    auto prepared = passOn(renderer_.prepare({.techniques = techniques,
+                                              .accumulation = plan.accumulation,
+                                              .depthFormat = depthFormat,
+                                              .colourFormat = colourFormat,
+                                              .blur = isBlurred(plan)},
+                                             onAllCores),
+                           "the shafts");
+    frame_.pipelines += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return prepared;
+}
+
+Outcome<void> SceneRenderer::drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure) {
+    frame_.accumulate = frame_.composite = 0.0;
+    frame_.fragments = frame_.shafts.draws = frame_.shafts.slicesDrawn = 0;
+    frame_.fragmentsKnown = measure && device_->hasPipelineStatistics();
+    const std::vector<bool> images = shafts.everything ? std::vector<bool>(planned.scene.images.size(), true)
+                                                       : shaftImages(planned.scene, planned.plan);
+    if (auto uploaded = uploadImages(*device_, planned.scene, images, gpu_); !uploaded) return uploaded;
+    if (auto drawn = drawShadowMaps(planned, mapsCalledFor(planned), shafts.shadowSize); !drawn) return drawn;
+    if (planned.plan.groups.empty()) return {};
+    if (auto fitted = fitAccumulation(*device_, targets_, shafts.accumulation); !fitted) return fitted;
+    const std::vector<LightTextures> textures = texturesOf(planned, maps_, gpu_);
+    if (auto prepared = preparePipelines(planned.plan); !prepared) return prepared;
+    const std::uint64_t uploaded = renderer_.counters().bytesUploaded;
+    if (auto done = passOn(renderer_.upload(shaftData_, planned.plan), "the slices"); !done) return done;
+    if (frame_.fragmentsKnown && !counts_) {
+        auto made = passOn(headless::FragmentCounter::create(*device_), "counting fragments");
+        if (!made) return tl::unexpected(made.error());
+        counter_ = std::move(*made);
+        counts_ = true;
+    }
+    auto done = drawShafts(*device_, renderer_, shaftData_, planned.plan, textures, targets_, measure,
+                           frame_.fragmentsKnown ? &counter_ : nullptr, frame_);
+    frame_.shafts.bytesUploaded += renderer_.counters().bytesUploaded - uploaded;
+    return done;
+}
+
+void SceneRenderer::startFrame() {
+    maps_.startFrame();
+    frame_ = {};
+    before_ = {renderer_.counters(), surfacePipelines_.count(), gpu_.imagesUploaded, gpu_.imageBytes};
+}
+
+void SceneRenderer::finishStatistics() {
+    const RendererCounters& now = renderer_.counters();
+    const RendererCounters& then = before_.shafts;
+    RendererCounters& shafts = frame_.shafts;
+    shafts.pipelinesCreated = now.pipelinesCreated - then.pipelinesCreated;
+    shafts.pipelinesPrepared = now.pipelinesPrepared - then.pipelinesPrepared;
+    shafts.shadowMapsDrawn = now.shadowMapsDrawn - then.shadowMapsDrawn;
+    shafts.descriptorsPushed = now.descriptorsPushed - then.descriptorsPushed;
+    shafts.neutralTexturesCreated = now.neutralTexturesCreated - then.neutralTexturesCreated;
+    frame_.surfacePipelines = surfacePipelines_.count() - before_.surfacePipelines;
+    frame_.imagesUploaded = gpu_.imagesUploaded - before_.images;
+    frame_.imageBytes = gpu_.imageBytes - before_.imageBytes;
+    frame_.frameDataBytes = maps_.frameDataBytes() + shaftData_.memory();
+    frame_.deviceBytes = device_->peakMemoryAllocated() + frame_.frameDataBytes;
+}
+
+Outcome<void> SceneRenderer::plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+    startFrame();
+    if (auto looked = lookAround(planned, view, shafts); !looked) return looked;
+    return planAsDrawn(planned, view, shafts, std::numeric_limits<double>::infinity());
+}
+
+Outcome<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
+                                   bool measure) {
+    startFrame();
+    if (auto looked = lookAround(planned, view, shafts); !looked) return tl::unexpected(looked.error());
+    // What is too faint is judged by the exposure of the surfaces alone. The shafts brighten the picture, and so darken
+    // its exposure, as a rule; where they do not, it is drawn again, more carefully, and at last with nothing left out.
+    double mostStep = std::numeric_limits<double>::infinity();
+    for (;;) {
+        ++frame_.rounds;
+        if (auto done = planAsDrawn(planned, view, shafts, mostStep); !done) return tl::unexpected(done.error());
+        if (auto done = drawPlanned(planned, shafts, measure); !done) return tl::unexpected(done.error());
+        auto picture = readPicture(*device_, targets_.colour);
+        if (!picture) return tl::unexpected(picture.error());
+        const double step = stepOf(*picture, shafts);
+        if (planned.displayStep <= step * (1.0 + 1e-3)) {
+            finishStatistics();
+            return Frame{std::move(*picture), frame_};
+        }
+        mostStep = std::isinf(mostStep) ? 0.5 * step : 0.0;
+    }
+}
+
+}  // namespace tyndall::app
