@@ -113,11 +113,13 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     }
 
     planned.firstOccluder = light.nearPlane;
-    if (planned.shadowVerdict == TermVerdict::Drawn && surroundings.occluders) {
+    if (light.shadow && !technique && air.any && surroundings.occluders) {
         const ShadowNeed need =
             shadowNeed(light, pose, air, {walls.data(), walls.size()}, occluders, options.shadowMapSize);
-        planned.firstOccluder = need.firstOccluder;
-        if (!need.needed) planned.shadowVerdict = TermVerdict::NoOccluder;
+        candidate.divisible = need.needed;
+        candidate.firstOccluder = need.firstOccluder;
+        if (!whole) planned.firstOccluder = need.firstOccluder;
+        if (!whole && !need.needed) planned.shadowVerdict = TermVerdict::NoOccluder;
     }
 
     planned.noise = planned.noiseVerdict == TermVerdict::Drawn || planned.noiseVerdict == TermVerdict::Forced;

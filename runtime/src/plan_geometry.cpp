@@ -49,24 +49,34 @@ glm::dvec4 acrossAxis(const LightPose& pose, double axis, double sign) {
     return unitPlane(glm::dvec4(0.0, 0.0, -sign, -sign * axis) * pose.lightFromView);
 }
 
-using Planes = InlineVector<glm::dvec4, 20>;
+// What cuts the slices, whatever is drawn of them.
+using Planes = InlineVector<glm::dvec4, 16>;
 
-// What cuts the slices. Near and far end of the pyramid move to where the seen air begins and ends, if that spares a
-// tenth of it or more: every cut leaves corners that the rasterizer rounds, so small ones are not worth it.
-Planes slicePlanes(const Light& light, const Candidate& candidate, bool everything) {
+Planes volumePlanes(const LightVolume& volume) {
     Planes planes;
-    const LightVolume& volume = candidate.volume;
-    const std::size_t kept = volume.planes.size() - (everything ? volume.walls : 0);
-    for (std::size_t i = 0; i < kept; ++i) planes.push_back(volume.planes[i]);
+    for (std::size_t i = 0; i + volume.walls < volume.planes.size(); ++i) planes.push_back(volume.planes[i]);
     for (const glm::dvec4& plane : volume.guard) planes.push_back(plane);
-    if (everything) return planes;
+    return planes;
+}
+
+// Planes that divide slices into what is seen (positive) and what is not: the walls, and the ends of the seen air along
+// the axis, if that spares a tenth of the pyramid or more.
+using Cuts = InlineVector<glm::dvec4, mostWalls + 2>;
+
+Cuts unseenBeyond(const Light& light, const Candidate& candidate) {
+    Cuts cuts;
+    const LightVolume& volume = candidate.volume;
+    for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
+        cuts.push_back(volume.planes[i]);
     const SeenAir& air = candidate.air;
+    if (!air.any) return cuts;
     const double length = volume.axisFar - volume.axisNear;
     const double margin = 1e-6 * light.farPlane;
     if (air.axisNear - volume.axisNear > 0.1 * length)
-        planes[4] = acrossAxis(candidate.pose, air.axisNear - margin, 1.0);
-    if (volume.axisFar - air.axisFar > 0.1 * length) planes[5] = acrossAxis(candidate.pose, air.axisFar + margin, -1.0);
-    return planes;
+        cuts.push_back(acrossAxis(candidate.pose, air.axisNear - margin, 1.0));
+    if (volume.axisFar - air.axisFar > 0.1 * length)
+        cuts.push_back(acrossAxis(candidate.pose, air.axisFar + margin, -1.0));
+    return cuts;
 }
 
 // Before the first occluder the shadow map lets everything through; its depths are rounded by less than this share.
@@ -74,9 +84,9 @@ constexpr double mapRounding = 1e-4;
 // A part that holds less of the light's length than this costs more to draw on its own than it spares.
 constexpr double leastPart = 0.05;
 
-std::optional<glm::dvec4> partition(const PlannedLight& light, const Candidate& candidate, const PlanOptions& options) {
-    if (light.shadowVerdict != TermVerdict::Drawn || options.everything) return std::nullopt;
-    const double at = light.firstOccluder * (1.0 - mapRounding);
+std::optional<glm::dvec4> partition(const Candidate& candidate) {
+    if (!candidate.divisible) return std::nullopt;
+    const double at = candidate.firstOccluder * (1.0 - mapRounding);
     const SeenAir& air = candidate.air;
     if (at - air.axisNear < leastPart * (air.axisFar - air.axisNear)) return std::nullopt;
     return acrossAxis(candidate.pose, at, -1.0);
@@ -97,11 +107,15 @@ void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex,
 
 }  // namespace
 
+// Where everything is drawn, slices are divided as they otherwise are, and all of them is drawn: so the outlines of
+// what both draw have the same corners, and after a rasterizer has rounded those, cover the same pixels.
 void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
                     const PlanOptions& options, std::vector<std::uint32_t>& scratch) {
-    const Planes planes = slicePlanes(source, candidate, options.everything);
-    const std::optional<glm::dvec4> lit = partition(light, candidate, options);
     const LightVolume& volume = candidate.volume;
+    const Planes planes = volumePlanes(volume);
+    const Cuts cuts = unseenBeyond(source, candidate);
+    const std::optional<glm::dvec4> lit = partition(candidate);
+    const bool apart = lit && !options.everything;
     // Larger than the bounds, so that every side of a slice comes from a plane and none from the bounds.
     const glm::dvec2 margin = 1e-3 * (volume.boundsMax - volume.boundsMin);
     const glm::dvec2 rectangleMin = volume.boundsMin - margin;
@@ -113,22 +127,26 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
     int before = 0, behind = 0;
     for (int i = range.first; i < range.end; ++i) {
         const Slab slab = slabAt(candidate.slabs, i);
-        const SlicePolygon polygon =
-            slicePolygon(rectangleMin, rectangleMax, {planes.data(), planes.size()}, slab.middle);
+        SlicePolygon polygon = slicePolygon(rectangleMin, rectangleMax, {planes.data(), planes.size()}, slab.middle);
+        SlicePolygon inside, outside;
+        for (const glm::dvec4& cut : cuts) {
+            split(polygon, glm::dvec2(cut), cut.w - cut.z * slab.middle, inside, outside);
+            if (options.everything) appendPolygon(plan, plan.indices, outside, slab);
+            polygon = inside;
+        }
         if (!lit) {
             appendPolygon(plan, plan.indices, polygon, slab);
             continue;
         }
-        SlicePolygon litPart, rest;
-        split(polygon, glm::dvec2(*lit), lit->w - lit->z * slab.middle, litPart, rest);
-        appendPolygon(plan, plan.indices, litPart, slab);
-        appendPolygon(plan, scratch, rest, slab);
-        before += litPart.count > 0;
-        behind += rest.count > 0;
+        split(polygon, glm::dvec2(*lit), lit->w - lit->z * slab.middle, inside, outside);
+        appendPolygon(plan, plan.indices, inside, slab);
+        appendPolygon(plan, apart ? scratch : plan.indices, outside, slab);
+        before += inside.count > 0;
+        behind += outside.count > 0;
     }
     light.slices = range.end - range.first;
-    light.divided = before > 0;
-    if (lit) {
+    light.divided = apart && before > 0;
+    if (apart) {
         appendPart(plan, light, light.firstIndex, before, false);
         const auto second = static_cast<std::uint32_t>(plan.indices.size());
         plan.indices.insert(plan.indices.end(), scratch.begin(), scratch.end());

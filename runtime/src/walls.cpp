@@ -31,9 +31,25 @@ double farthestInside(const glm::dvec4& plane, const Light& light, double axis, 
     return most;
 }
 
+// World-space corners of the picture on the view's near plane, where its rays begin.
+std::array<glm::dvec3, 4> nearCorners(const View& view) {
+    const glm::dmat4 rows = glm::transpose(view.clipFromView);
+    const glm::dvec4 axis(0.0, 0.0, -view.nearPlane, 1.0);
+    const double w = glm::dot(rows[3], axis);
+    const glm::dmat2 plane = glm::inverse(glm::dmat2(rows[0].x, rows[1].x, rows[0].y, rows[1].y));
+    std::array<glm::dvec3, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec2 clip((i & 1) ? w : -w, (i & 2) ? w : -w);
+        const glm::dvec2 across = plane * (clip - glm::dvec2(glm::dot(rows[0], axis), glm::dot(rows[1], axis)));
+        corners[i] = glm::dvec3(view.worldFromView * glm::dvec4(across, -view.nearPlane, 1.0));
+    }
+    return corners;
+}
+
 // Blockers whose plane crosses the pyramid beyond its near end, largest first.
 Candidates candidatesFor(const Light& light, const View& view, std::span<const BlockerBounds> bounds) {
-    const glm::dvec3 lamp(light.worldFromLight[3]), eye(view.worldFromView[3]);
+    const glm::dvec3 lamp(light.worldFromLight[3]);
+    const std::array<glm::dvec3, 4> picture = nearCorners(view);
     const glm::dmat3 lightFromWorld = glm::inverse(glm::dmat3(light.worldFromLight));
     const std::array<glm::dvec4, 5> sides = pyramidPlanes(light);
     Candidates found;
@@ -48,8 +64,10 @@ Candidates candidatesFor(const Light& light, const View& view, std::span<const B
         const glm::dvec3 normal(blocker.plane);
         // Relative to a point of the blocker: far from the origin, the plane's offset has lost its digits.
         double lampDistance = glm::dot(normal, lamp - blocker.centre);
-        const double eyeDistance = glm::dot(normal, eye - blocker.centre);
-        if (!(lampDistance * eyeDistance > 0.0)) continue;
+        if (std::any_of(picture.begin(), picture.end(), [&](const glm::dvec3& corner) {
+                return !(lampDistance * glm::dot(normal, corner - blocker.centre) > 0.0);
+            }))
+            continue;
         const double sign = lampDistance > 0.0 ? 1.0 : -1.0;
         lampDistance *= sign;
         const glm::dvec4 plane(sign * (lightFromWorld * normal), lampDistance);

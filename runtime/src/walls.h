@@ -42,9 +42,9 @@ struct WallScratch {
 };
 
 /// Planes of view space, unit normals, that keep the side where the light comes. Empty unless the blockers' triangles
-/// cover all of the pyramid between them. Only blockers with lamp and eye on one side count: from the other side the
-/// eye would see how a shadow map frays at them. They lie wallMargin() behind the triangles, so that no slice ends
-/// before the surface does. `bounds` has one entry for each blocker.
+/// cover all of the pyramid between them. Only blockers with the lamp and all of the picture's near plane on one side
+/// count: from the other side the eye would see how a shadow map frays at them. They lie wallMargin() behind the
+/// triangles, so that no slice ends before the surface does. `bounds` has one entry for each blocker.
 InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
                                             std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
                                             WallScratch& scratch);

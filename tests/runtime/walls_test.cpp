@@ -89,6 +89,21 @@ TEST(Walls, NeedLampAndEyeBeforeThem) {
     EXPECT_TRUE(wallsIn(withWall(rectangle(-7.0 * z, 3.0 * x, 3.0 * y))).empty()) << "beyond the far end";
 }
 
+// Rays begin on the near plane: where part of that lies behind a wall, the picture shows what the wall is to hide.
+TEST(Walls, NeedTheWholePictureBeforeThem) {
+    Room room = withWall(rectangle(-4.0 * z - 1.0 * y, 9.0 * x, 9.0 * z));  // a floor
+    room.light.worldFromLight = lookingAt({0.0, 0.0, 0.0}, {0.0, -3.0, -3.0});
+    const glm::dmat4 eye = lookingAt({0.0, -0.9, 3.0}, {0.0, -0.9, -3.0});  // 10 cm over it
+    const auto walls = [&](const View& view) {
+        room.view = view;
+        return wallsIn(room).size();
+    };
+    EXPECT_EQ(walls(perspectiveView(eye, 1.0, 1.5, 0.1, 50.0)), 1u) << "down to 5 cm under the eye";
+    EXPECT_EQ(walls(perspectiveView(eye, 1.0, 1.5, 0.2, 50.0)), 0u) << "11 cm";
+    EXPECT_EQ(walls(orthographicView(eye, 1.0, 0.05, 0.1, 50.0)), 1u);
+    EXPECT_EQ(walls(orthographicView(eye, 1.0, 2.0, 0.1, 50.0)), 0u);
+}
+
 TEST(Walls, FormCornersTogether) {
     // Two walls that meet in a vertical edge on the axis, and a floor before it.
     Room room;

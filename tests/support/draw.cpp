@@ -88,6 +88,8 @@ headless::Image colourTarget(const Shot& shot, VkFormat format, VkImageUsageFlag
     return must(headless::Image::create(gpu().device, info));
 }
 
+}  // namespace
+
 RendererCounters difference(const RendererCounters& after, const RendererCounters& before) {
     RendererCounters delta;
     delta.draws = after.draws - before.draws;
@@ -100,8 +102,6 @@ RendererCounters difference(const RendererCounters& after, const RendererCounter
     delta.pipelinesPrepared = after.pipelinesPrepared - before.pipelinesPrepared;
     return delta;
 }
-
-}  // namespace
 
 View viewOf(const Shot& shot) {
     const Eye& eye = shot.eye;

@@ -35,6 +35,9 @@ struct Drawing {
     RendererCounters counters;  ///< of this drawing alone; pipelines may have been made before
 };
 
+/// What was counted in between.
+RendererCounters difference(const RendererCounters& after, const RendererCounters& before);
+
 View viewOf(const Shot& shot);
 PlanOptions planOptionsOf(const Shot& shot, const DrawOptions& options);
 

@@ -1,0 +1,44 @@
+// A recipe's scene as the planner and the renderer take it, with depths by ray casting.
+#pragma once
+
+#include <tyndall/plan.h>
+
+#include <array>
+#include <vector>
+
+#include "recipe.h"
+#include "texture.h"
+
+namespace tyndall::test {
+
+using Triangle = std::array<glm::dvec3, 3>;
+
+struct Room {
+    static constexpr int width = 64, height = 36;
+    static constexpr std::uint32_t shadowMapSize = 2048;
+
+    std::vector<Light> lights;
+    std::vector<Texture> slides, dust;  ///< one for each light; empty where it has none
+    std::vector<OccluderBox> occluders;
+    std::vector<Blocker> blockers;
+    std::vector<Triangle> triangles;  ///< of all surfaces
+    View view;
+    Texture depth;  ///< stored, at pixel centres
+    std::vector<float> tiles;
+    int columns = 1, rows = 1;
+    PlanOptions options;
+
+    std::vector<TextureSurvey> surveys;  ///< cookie and noise of each light
+    std::vector<LightSurvey> lightSurveys;
+
+    Room() = default;
+    Room(const Room&) = delete;  // surveys are pointed at
+    Room& operator=(const Room&) = delete;
+
+    /// All that may be known.
+    Surroundings surroundings() const;
+};
+
+void build(const Recipe& recipe, Room& room);
+
+}  // namespace tyndall::test

@@ -1,0 +1,34 @@
+// A room's textures and surfaces on the device, and pictures of its shafts.
+#pragma once
+
+#include <headless/buffer.h>
+#include <headless/image.h>
+
+#include "draw.h"
+#include "room.h"
+
+namespace tyndall::test {
+
+class RoomOnGpu {
+public:
+    explicit RoomOnGpu(const Room& room);
+
+    struct Shown {
+        Picture picture;            ///< radiance
+        RendererCounters counters;  ///< of this picture
+        std::uint64_t fragments = 0;
+    };
+    /// `textures` other than the room's own.
+    Shown draw(const Plan& plan, std::span<const LightTextures> textures = {}) const;
+
+    std::span<const LightTextures> textures() const { return views_; }
+
+private:
+    void drawShadowMaps(const Room& room);
+
+    std::vector<headless::Image> images_;
+    std::vector<LightTextures> views_;
+    headless::Image depth_, sum_, colour_;
+};
+
+}  // namespace tyndall::test
