@@ -95,6 +95,7 @@ Result<void> resetFrame(FrameData::Impl& frame, VkDeviceSize bytes) {
     frame.used = 0;
     VkDeviceSize held = 0;
     for (const FrameData::Impl::Block& block : frame.blocks) held += block.size;
+    if (bytes == 0 && frame.blocks.empty()) return {};
     if (frame.blocks.size() == 1 && held >= bytes) return {};
     for (FrameData::Impl::Block& block : frame.blocks) destroy(frame.gpu, block);
     frame.blocks.clear();

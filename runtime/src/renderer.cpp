@@ -81,6 +81,12 @@ Result<void> Renderer::upload(FrameData& frame, const Plan& plan) {
         return invalidArgument("an index of the plan points beyond its vertices; use the plan as plan() made it");
 
     const Gpu& gpu = data.gpu;
+    if (plan.groups.empty()) {
+        if (auto reset = resetFrame(data, 0); !reset) return reset;
+        data.plan = {};
+        data.plan.valid = true;
+        return {};
+    }
     const auto vertices = std::as_bytes(std::span(plan.vertices));
     const auto indices = std::as_bytes(std::span(plan.indices));
     const VkDeviceSize room = frameBytes(gpu, vertices.size()) + frameBytes(gpu, indices.size()) +

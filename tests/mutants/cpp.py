@@ -18,6 +18,7 @@ PROGRAMS = [
     ("tyndall_plan_test", "tests/runtime", ["plan", "needs", "weights"]),
     ("tyndall_record_calls_test", "tests/runtime", ["record"]),
     ("tyndall_record_test", "tests/runtime", ["record", "plan", "needs", "weights"]),
+    ("tyndall_planning_test", "tests/planning", ["needs"]),
     ("tyndall_permutation_test", "tests/permutations", ["record", "plan", "needs", "weights"]),
 ]
 

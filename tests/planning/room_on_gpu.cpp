@@ -77,7 +77,7 @@ void RoomOnGpu::drawShadowMaps(const Room& room) {
     }));
 }
 
-RoomOnGpu::Shown RoomOnGpu::draw(const Plan& plan, std::span<const LightTextures> textures) const {
+RoomOnGpu::Shown RoomOnGpu::draw(const Plan& plan, std::span<const LightTextures> textures, Renderer& renderer) const {
     ShaftTargets targets;
     targets.extent = extent;
     targets.accumulation = sum_.handle();
@@ -87,7 +87,6 @@ RoomOnGpu::Shown RoomOnGpu::draw(const Plan& plan, std::span<const LightTextures
     targets.colour = colour_.view();
     targets.colourFormat = colour_.format();
 
-    Renderer& renderer = gpu().frozen;
     const RendererCounters before = renderer.counters();
     const headless::FragmentCounter counter = must(headless::FragmentCounter::create(gpu().device));
     FrameData frame;
@@ -111,6 +110,11 @@ RoomOnGpu::Shown RoomOnGpu::draw(const Plan& plan, std::span<const LightTextures
         must(headless::readback(gpu().device, sum_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL));
     std::memcpy(shown.picture.pixels.data(), bytes.data(), bytes.size());
     return shown;
+}
+
+Renderer freshRenderer() {
+    return must(
+        Renderer::create({gpu().device.physicalDevice(), gpu().device.device(), VK_NULL_HANDLE, Shaders::Frozen}));
 }
 
 }  // namespace tyndall::test

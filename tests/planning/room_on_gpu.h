@@ -18,8 +18,8 @@ public:
         RendererCounters counters;  ///< of this picture
         std::uint64_t fragments = 0;
     };
-    /// `textures` other than the room's own.
-    Shown draw(const Plan& plan, std::span<const LightTextures> textures = {}) const;
+    /// `textures` other than the room's own, where there are any.
+    Shown draw(const Plan& plan, std::span<const LightTextures> textures = {}, Renderer& renderer = gpu().frozen) const;
 
     std::span<const LightTextures> textures() const { return views_; }
 
@@ -30,5 +30,8 @@ private:
     std::vector<LightTextures> views_;
     headless::Image depth_, sum_, colour_;
 };
+
+/// One that has made nothing yet.
+Renderer freshRenderer();
 
 }  // namespace tyndall::test

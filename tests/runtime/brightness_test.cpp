@@ -107,5 +107,25 @@ TEST(Brightness, HoldsBesideTheLamp) {
             }
 }
 
+// Rays far from the view's axis stay in a slab longer than it is thick.
+TEST(Brightness, CountsSlant) {
+    Scene scene{projector(), perspectiveView(glm::dmat4(1.0), 2.8, 1.0, 0.1, std::numeric_limits<double>::infinity())};
+    scene.light.worldFromLight = lookingAt({-9.0, -1.0, -2.0}, {-9.0, 3.0, -2.0}, {1.0, 0.0, 0.0});
+    scene.light.intensity = 0.0;
+    scene.light.ambient = 1.0;
+    const Plan plan = planned({scene.light}, scene.view, slices(1));
+    const std::map<float, Corners> drawn = slicesOf(plan, plan.lights[0]);
+    std::map<float, double> thickness;
+    for (const SliceVertex& vertex : plan.vertices) thickness[-vertex.position.z] = vertex.thickness;
+    int lit = 0;
+    for (double y = 0.0; y < 1.0; y += 0.01) {
+        const Sums sums = alongRay(scene, drawn, thickness, {-4.5, y, -1.0});
+        lit += sums.slices > 0.0;
+        EXPECT_LE(sums.slices, (1.0 + 1e-5) * plan.lights[0].brightest);
+        EXPECT_LE(sums.integral, 1.01 * plan.lights[0].brightest);
+    }
+    EXPECT_GT(lit, 4);
+}
+
 }  // namespace
 }  // namespace tyndall
