@@ -109,6 +109,7 @@ Verdict measure(LightVolume& volume, const Light& light, const View& view, const
                                                          [](const auto& a, const auto& b) { return a.z < b.z; });
     volume.nearLit = std::max(-firstLit->z, view.nearPlane);
     volume.farLit = std::min(-lastLit->z, view.farPlane);
+    for (const glm::dvec3& p : seen.vertices) volume.axisLit = std::max(volume.axisLit, axisOf(pose, p));
     for (const glm::dvec4& wall : walls) volume.planes.push_back(wall);
     volume.walls = walls.size();
     const auto shown = [&](ConvexPolyhedron& part) {

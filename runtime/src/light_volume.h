@@ -22,9 +22,10 @@ struct LightVolume {
     std::size_t walls = 0;  ///< of the planes, the last ones
     /// Those sides of the view's frustum, widened by guardBand, that the volume crosses.
     InlineVector<glm::dvec4, 4> guard;
-    double nearDepth = 0.0, farDepth = 0.0;     ///< metres of view depth, whatever walls cut off
-    double farShown = 0.0;                      ///< farDepth, but no deeper than View::sceneDepth
-    double nearLit = 0.0, farLit = 0.0;         ///< metres of view depth, before the walls
+    double nearDepth = 0.0, farDepth = 0.0;  ///< metres of view depth, whatever walls cut off
+    double farShown = 0.0;                   ///< farDepth, but no deeper than View::sceneDepth
+    double nearLit = 0.0, farLit = 0.0;      ///< metres of view depth, before the walls
+    double axisLit = 0.0;                    ///< metres along the light's axis to the farthest point before the walls
     glm::dvec2 boundsMin{0.0}, boundsMax{0.0};  ///< view-space x and y of what lies inside the guard band
     double axisNear = 0.0, axisFar = 0.0;       ///< metres along the light's axis: all that clip planes leave
 };

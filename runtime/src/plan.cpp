@@ -82,7 +82,7 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
         const Terms terms{planned.noise, planned.shadow, planned.cookie};
         const SliceConstants constants =
             sliceConstants(light, view, options, candidate.pose, candidate.volume, candidate.slabs, terms,
-                           {candidate.cookieFactor, candidate.noiseFactor});
+                           candidate.shadowBias, {candidate.cookieFactor, candidate.noiseFactor});
         if (!isFinite(constants))
             return broken(
                 placeOf(light, candidate.light) +

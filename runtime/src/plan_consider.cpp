@@ -112,6 +112,8 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
         }
     }
 
+    candidate.shadowBias = std::max(options.shadowBias, mapErrorAt({walls.data(), walls.size()}, light, pose,
+                                                                   volume.axisLit, options.shadowMapSize));
     planned.firstOccluder = light.nearPlane;
     if (light.shadow && !technique && air.any && surroundings.occluders) {
         const ShadowNeed need =

@@ -26,6 +26,7 @@ struct Candidate {
     FactorRange cookie, noise;     ///< over what is seen
     glm::dvec3 cookieFactor{1.0};  ///< stands in for a cookie that is not drawn
     double noiseFactor = 1.0;
+    double shadowBias = 0.0;     ///< metres along the light's axis
     bool divisible = false;      ///< shadow begins at firstOccluder, unless the options say otherwise
     double firstOccluder = 0.0;  ///< metres along the light's axis
 };

@@ -33,10 +33,10 @@ glm::vec4 noiseMap(const glm::dvec2& scale, const glm::dvec2& scroll, double tim
 }
 
 // Stored depth n / (f - n) * (f / w - 1), as x + y / w; see lightClipFromLight().
-glm::vec4 shadowConstants(const Light& light, const PlanOptions& options) {
+glm::vec4 shadowConstants(const Light& light, const PlanOptions& options, double bias) {
     const double n = light.nearPlane;
     const double f = light.farPlane;
-    return glm::dvec4(-n / (f - n), n * f / (f - n), options.shadowMapSize, std::min(options.shadowBias, 0.99 * n));
+    return glm::dvec4(-n / (f - n), n * f / (f - n), options.shadowMapSize, std::min(bias, 0.99 * n));
 }
 
 glm::vec4 dustConstants(const Light& light, const PlanOptions& options, const Terms& terms, double factor) {
@@ -85,7 +85,7 @@ double targetScale(const PlanOptions& options) {
 }
 
 SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
-                              const LightVolume& volume, const Slabs& slabs, const Terms& terms,
+                              const LightVolume& volume, const Slabs& slabs, const Terms& terms, double shadowBias,
                               const StandInFactors& factors) {
     SliceConstants constants{};
     constants.clipFromView = view.clipFromView;
@@ -103,7 +103,7 @@ SliceConstants sliceConstants(const Light& light, const View& view, const PlanOp
     constants.noise2 = noiseMap(noise.scale, noise.scroll2, options.time);
     constants.colour = colourConstants(light, options, factors.cookie);
     constants.weight = weightConstants(view, options);
-    constants.shadow = shadowConstants(light, options);
+    constants.shadow = shadowConstants(light, options, shadowBias);
     return constants;
 }
 

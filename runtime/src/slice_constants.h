@@ -21,7 +21,7 @@ struct StandInFactors {
 };
 
 SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
-                              const LightVolume& volume, const Slabs& slabs, const Terms& terms,
+                              const LightVolume& volume, const Slabs& slabs, const Terms& terms, double shadowBias,
                               const StandInFactors& factors = {});
 
 /// Every number in it is finite.

@@ -213,4 +213,17 @@ InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view
     return planes;
 }
 
+double mapErrorAt(std::span<const glm::dvec4> walls, const Light& light, const LightPose& pose, double axisLit,
+                  std::uint32_t mapSize) {
+    const glm::dvec2 texel = 2.0 * glm::tan(0.5 * light.fov) / static_cast<double>(mapSize);
+    double most = 0.0;
+    for (const glm::dvec4& wall : walls) {
+        // With p = z (s, -1) for slopes s, a plane n p + D = 0 has z = D / (n.z - n.xy s), so dz / ds = z^2 n.xy / D.
+        // Filtering reads the four nearest texels, whose centres lie up to a texel aside both ways.
+        const glm::dvec4 plane = unitPlane(wall * pose.viewFromLight);
+        most = std::max(most, glm::dot(glm::abs(glm::dvec2(plane)), texel) * axisLit * axisLit / plane.w);
+    }
+    return most;
+}
+
 }  // namespace tyndall

@@ -49,4 +49,10 @@ InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view
                                             std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
                                             WallScratch& scratch);
 
+/// Metres along the light's axis by which a shadow map, which knows surfaces at its texels' centres alone, holds these
+/// walls to be too near to the lamp. With less of a bias they would throw shadows on the air before them. `axisLit`:
+/// how far it is to the farthest point before them.
+double mapErrorAt(std::span<const glm::dvec4> walls, const Light& light, const LightPose& pose, double axisLit,
+                  std::uint32_t mapSize);
+
 }  // namespace tyndall

@@ -145,20 +145,6 @@ std::vector<glm::vec4> texelsOf(const Texture& texture) {
     return texels;
 }
 
-// A shadow map knows a surface at its texels' centres: up to a texel and a half aside, where filtering reads, a plane
-// is nearer to the lamp by so many metres of axis. Without a bias of as many, a floor throws shadows on the air before
-// it, which is an error of the map's that no plan repeats. With the plane at z = D / (n.z - n.x s.x - n.y s.y) for
-// slopes s, dz / ds = z^2 n / D, and z is at most the far plane's.
-double biasFor(const Light& light, const Blocker& blocker) {
-    const Triangle& t = blocker.triangles.front();
-    const glm::dvec3 world = glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]));
-    const glm::dvec3 normal = glm::inverse(glm::dmat3(light.worldFromLight)) * world;
-    const double distance = std::fabs(glm::dot(world, glm::dvec3(light.worldFromLight[3]) - t[0]));
-    const glm::dvec2 texel = 2.0 * glm::tan(0.5 * light.fov) / static_cast<double>(Room::shadowMapSize);
-    const double perTexel = glm::dot(glm::abs(glm::dvec2(normal)), texel);
-    return 1.5 * perTexel * light.farPlane * light.farPlane / distance;
-}
-
 }  // namespace
 
 Surroundings Room::surroundings() const {
@@ -202,13 +188,6 @@ void build(const Recipe& recipe, Room& room) {
         survey.noise = made(room.dust[i], true, room.surveys[2 * i + 1]);
     }
 
-    for (const Blocker& blocker : room.blockers)
-        for (Light& light : room.lights) {
-            if (!light.shadow) continue;
-            const double bias = biasFor(light, blocker);
-            room.options.shadowBias = std::max(room.options.shadowBias, bias);
-            light.nearPlane = std::max(light.nearPlane, 1.02 * bias);  // which limits the bias
-        }
     room.options.slices = recipe.slices;
     room.options.spacing = recipe.adaptive ? Spacing::Adaptive : Spacing::Even;
     room.options.accumulation = Accumulation::Rgba32f;

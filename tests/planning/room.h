@@ -15,7 +15,7 @@ using Triangle = std::array<glm::dvec3, 3>;
 
 struct Room {
     static constexpr int width = 64, height = 36;
-    static constexpr std::uint32_t shadowMapSize = 2048;
+    static constexpr std::uint32_t shadowMapSize = 512;
 
     std::vector<Light> lights;
     std::vector<Texture> slides, dust;  ///< one for each light; empty where it has none

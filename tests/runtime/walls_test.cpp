@@ -160,6 +160,23 @@ TEST(Walls, HaveNoRoundHoleEither) {
         }
 }
 
+// A map of 1024 over 40 by 24 degrees, a wall askance: what a texel aside differs by on it, from the wall's own
+// equation.
+TEST(Walls, KnowHowCoarselyAMapHoldsThem) {
+    Room room = withWall(rectangle(-4.0 * z, 3.0 * x, 3.0 * (y + z)));  // z = -4 + y
+    const std::vector<glm::dvec4> walls = wallsIn(room);
+    ASSERT_EQ(walls.size(), 1u);
+    const LightPose pose = lightPose(room.light.worldFromLight, room.view.worldFromView);
+    const double texel = 2.0 * std::tan(12.0 * degrees) / 1024.0, slope = std::tan(12.0 * degrees);
+    const auto axis = [](double s) { return 4.0 / (1.0 + s); };  // where the ray of slope s meets it
+    const double farthest = axis(-slope), error = mapErrorAt(walls, room.light, pose, farthest, 1024);
+    EXPECT_GE(error, axis(-slope) - axis(-slope + texel));
+    EXPECT_LE(error, 1.01 * (axis(-slope) - axis(-slope + texel)));
+    EXPECT_EQ(mapErrorAt({}, room.light, pose, farthest, 1024), 0.0);
+    room = withWall(rectangle(-4.0 * z, 3.0 * x, 3.0 * y));
+    EXPECT_NEAR(mapErrorAt(wallsIn(room), room.light, pose, 4.0, 1024), 0.0, 1e-12) << "head on, all texels agree";
+}
+
 // Any rectangles: every ray of the lamp is blocked before it comes behind a wall.
 TEST(Walls, BlockEveryRay) {
     Random random(2);

@@ -58,7 +58,8 @@ struct PlanOptions {
     double range = 1.0;                         ///< radiance that the value 1 of an 8-bit target stands for, > 0;
                                                 ///< float targets hold radiance itself
     std::uint32_t shadowMapSize = 1024;         ///< texels a side, 1 to 65536, as the caller draws it
-    double shadowBias = 0.0;                    ///< metres along the light's axis, 0 to 1e9; at most 0.99 of a light's
+    double shadowBias = 0.0;                    ///< metres along the light's axis, 0 to 1e9; more before blockers
+                                                ///< that the map's texels are too coarse for; at most 0.99 of a light's
                                                 ///< nearPlane takes effect, or points would fall behind the lamp
     std::optional<std::string_view> technique;  ///< draws every light with this one, whatever it calls for; a
                                                 ///< light that lacks what it reads sees a neutral texture there
