@@ -72,9 +72,9 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.shadowVerdict = verdictOf(light.shadow, context, &Terms::shadow);
     planned.cookieVerdict = verdictOf(light.cookie, context, &Terms::cookie);
 
-    // Behind a wall there is no light only where shadows are drawn.
+    // Behind a wall there is no light only where shadows are drawn. Quads have no clip distance to spare for them.
     InlineVector<glm::dvec4, mostWalls> walls;
-    if (light.shadow && planned.shadowVerdict != TermVerdict::Overruled)
+    if (light.shadow && planned.shadowVerdict != TermVerdict::Overruled && options.geometry == Geometry::ExactPolygons)
         walls = wallsOf(light, view, pose, surroundings.blockers, blockers, scratch);
     ConvexPolyhedron seen;
     candidate.volume = lightVolume(light, view, pose, {walls.data(), walls.size()}, seen);

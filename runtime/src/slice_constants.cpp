@@ -63,12 +63,11 @@ glm::vec4 weightConstants(const View& view, const PlanOptions& options) {
 
 // Bounds that hold the volume after rounding to float: slightly too large costs nothing, the clip planes
 // cut off the rest. Depth is left alone, so that both geometries have their slices at the same depths.
-void stretchOver(SliceConstants& constants, const LightVolume& volume, const Slabs& slabs, bool everything) {
+void stretchOver(SliceConstants& constants, const LightVolume& volume, const Slabs& slabs) {
     const glm::dvec2 margin = 1e-6 * (glm::abs(volume.boundsMin) + glm::abs(volume.boundsMax)) + 1e-9;
     constants.boundsMin = glm::dvec4(volume.boundsMin - margin, -slabs.farDepth, 0.0);
     constants.boundsMax = glm::dvec4(volume.boundsMax + margin, -slabs.nearDepth, 0.0);
-    for (std::size_t i = 0;
-         i + (everything ? volume.walls : 0) < volume.planes.size() && i < std::size(constants.clipPlanes); ++i)
+    for (std::size_t i = 0; i < volume.planes.size() && i < std::size(constants.clipPlanes); ++i)
         constants.clipPlanes[i] = volume.planes[i];
 }
 
@@ -92,7 +91,7 @@ SliceConstants sliceConstants(const Light& light, const View& view, const PlanOp
     constants.lightFromView = pose.lightFromView;
     constants.boundsMax = {1.0f, 1.0f, 1.0f, 0.0f};
     std::fill(std::begin(constants.clipPlanes), std::end(constants.clipPlanes), keepEverything);
-    if (options.geometry == Geometry::StretchedQuads) stretchOver(constants, volume, slabs, options.everything);
+    if (options.geometry == Geometry::StretchedQuads) stretchOver(constants, volume, slabs);
 
     constants.cookieScale = glm::dvec4(0.5 / glm::tan(0.5 * light.fov), 0.0, 0.0);
     constants.attenuation =

@@ -14,10 +14,11 @@ inline rc::Gen<LightRecipe> lightRecipes() {
         set(&LightRecipe::z, rc::gen::inRange(-30, 31)), set(&LightRecipe::yaw, rc::gen::inRange(-180, 181)),
         set(&LightRecipe::pitch, rc::gen::inRange(-90, 20)), set(&LightRecipe::width, rc::gen::inRange(10, 90)),
         set(&LightRecipe::height, rc::gen::inRange(10, 90)), set(&LightRecipe::near, rc::gen::inRange(5, 80)),
-        set(&LightRecipe::strength, rc::gen::inRange(0, 12)),
+        set(&LightRecipe::strength, rc::gen::inRange(-10, 12)),
         set(&LightRecipe::slide,
-            rc::gen::element(Slide::None, Slide::Uniform, Slide::Checks, Slide::HalfDark, Slide::Black)),
-        set(&LightRecipe::dust, rc::gen::element(Dust::None, Dust::None, Dust::Uniform, Dust::Grains, Dust::Clean)),
+            rc::gen::element(Slide::None, Slide::Uniform, Slide::Checks, Slide::HalfDark, Slide::Black, Slide::Faint)),
+        set(&LightRecipe::dust,
+            rc::gen::element(Dust::None, Dust::None, Dust::Uniform, Dust::Grains, Dust::Clean, Dust::Faint)),
         set(&LightRecipe::shadow, rc::gen::arbitrary<bool>()),
         set(&LightRecipe::clipped, rc::gen::map(rc::gen::inRange(0, 4), [](int i) { return i == 3; })));
 }
@@ -50,6 +51,7 @@ inline rc::Gen<Recipe> recipes() {
             set(&Recipe::pitch, rc::gen::inRange(-40, 30)), set(&Recipe::fov, rc::gen::inRange(20, 100)),
             set(&Recipe::orthographic, rc::gen::map(rc::gen::inRange(0, 5), [](int i) { return i == 4; })),
             set(&Recipe::adaptive, rc::gen::arbitrary<bool>()),
+            set(&Recipe::quads, rc::gen::map(rc::gen::inRange(0, 4), [](int i) { return i == 3; })),
             set(&Recipe::slices, rc::gen::map(rc::gen::inRange(1, 65), [](int i) { return 4 * i; })),
             set(&Recipe::columns, rc::gen::inRange(1, 10)), set(&Recipe::rows, rc::gen::inRange(1, 8))));
 }

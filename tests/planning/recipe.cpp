@@ -6,8 +6,8 @@ namespace tyndall::test {
 namespace {
 
 std::ostream& operator<<(std::ostream& out, const LightRecipe& l) {
-    constexpr const char* slides[] = {"None", "Uniform", "Checks", "HalfDark", "Black"};
-    constexpr const char* dusts[] = {"None", "Uniform", "Grains", "Clean"};
+    constexpr const char* slides[] = {"None", "Uniform", "Checks", "HalfDark", "Black", "Faint"};
+    constexpr const char* dusts[] = {"None", "Uniform", "Grains", "Clean", "Faint"};
     return out << "{" << l.x << ", " << l.y << ", " << l.z << ", " << l.yaw << ", " << l.pitch << ", " << l.width
                << ", " << l.height << ", " << l.near << ", " << l.strength
                << ", Slide::" << slides[static_cast<int>(l.slide)] << ", Dust::" << dusts[static_cast<int>(l.dust)]
@@ -36,7 +36,7 @@ std::ostream& operator<<(std::ostream& out, const Recipe& r) {
     list(out, r.boxes);
     return out << ", " << r.floor << ", " << r.wall << ", " << r.eyeX << ", " << r.eyeY << ", " << r.eyeZ << ", "
                << r.yaw << ", " << r.pitch << ", " << r.fov << ", " << r.orthographic << ", " << r.adaptive << ", "
-               << r.slices << ", " << r.columns << ", " << r.rows << "}";
+               << r.quads << ", " << r.slices << ", " << r.columns << ", " << r.rows << "}";
 }
 
 }  // namespace tyndall::test

@@ -6,8 +6,8 @@
 
 namespace tyndall::test {
 
-enum class Slide { None, Uniform, Checks, HalfDark, Black };
-enum class Dust { None, Uniform, Grains, Clean };
+enum class Slide { None, Uniform, Checks, HalfDark, Black, Faint };
+enum class Dust { None, Uniform, Grains, Clean, Faint };
 
 struct LightRecipe {
     int x = 0, y = 20, z = 0;     ///< decimetres
@@ -36,7 +36,7 @@ struct Recipe {
     int yaw = 0, pitch = 0;              ///< degrees, from the direction of the room's middle
     int fov = 60;                        ///< degrees, vertical
     bool orthographic = false;
-    bool adaptive = false;
+    bool adaptive = false, quads = false;
     int slices = 64;
     int columns = 8, rows = 6;  ///< of depth tiles
 };

@@ -22,6 +22,8 @@ Texture slideOf(Slide slide) {
                 return 0.25 * (c + 1);
             case Slide::Checks:
                 return (x / 4 + y / 4) % 2 ? 0.2 + 0.2 * c : 1.0;
+            case Slide::Faint:
+                return 0.5 + 0.001 * ((x / 4 + y / 4) % 2);
             case Slide::HalfDark:
                 return x < 16 ? 0.0 : 0.75;
             default:
@@ -33,6 +35,7 @@ Texture slideOf(Slide slide) {
 Texture dustOf(Dust dust) {
     return makeTexture(32, 32, 2, [&](int x, int y, int c) {
         if (dust == Dust::Uniform) return 0.6;
+        if (dust == Dust::Faint) return 0.6 + 0.001 * ((x + y) % 2);
         return dust == Dust::Clean ? 0.0 : 0.5 + 0.5 * std::sin(0.7 * x + 1.3 * c) * std::cos(0.9 * y);
     });
 }
@@ -190,6 +193,7 @@ void build(const Recipe& recipe, Room& room) {
 
     room.options.slices = recipe.slices;
     room.options.spacing = recipe.adaptive ? Spacing::Adaptive : Spacing::Even;
+    room.options.geometry = recipe.quads ? Geometry::StretchedQuads : Geometry::ExactPolygons;
     room.options.accumulation = Accumulation::Rgba32f;
     room.options.time = 3.25;
     room.options.shadowMapSize = Room::shadowMapSize;

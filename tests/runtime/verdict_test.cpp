@@ -255,6 +255,23 @@ TEST(Savings, TellOfWallsAndOfWhatIsSeen) {
     EXPECT_EQ(words[2], "Of its 5.5 m along the axis, 3.5 m are seen, from 0.5 m to 4 m.");
 }
 
+// Light goes on behind a wall where no shadow is drawn, and quads cannot be cut by more planes than the shader has.
+TEST(Savings, EndAtNoWallThatCannotBeDrawn) {
+    Case c;
+    c.light.shadow = true;
+    c.blockers = {wallAt(-4.0, 9.0)};
+    c.occluders = {box({0.0, 0.0, -5.0}, 1.0)};
+    EXPECT_EQ(c.planned().walls, 1u);
+    EXPECT_EQ(c.planned().shadowVerdict, TermVerdict::NoOccluder);
+    c.options.geometry = Geometry::StretchedQuads;
+    EXPECT_EQ(c.planned().walls, 0u);
+    EXPECT_EQ(c.planned().shadowVerdict, TermVerdict::Drawn);
+    c.options.geometry = Geometry::ExactPolygons;
+    c.options.technique = techniqueName(false, false, false);
+    EXPECT_EQ(c.planned().walls, 0u);
+    EXPECT_NEAR(c.planned().seenFar, 6.0, 1e-6);
+}
+
 // Only where slices are really divided.
 TEST(Savings, DoNotTellOfADivisionThatIsNotMade) {
     Case c;
