@@ -12,9 +12,9 @@
 namespace tyndall {
 
 struct ConvexPolyhedron {
-    /// A pyramid's 6 faces, 6 clip planes, 4 walls, 4 of depth and guard, 8 sides of view and tile: 28 at most. By
-    /// Euler's formula a solid of F faces has no more than 2 F - 4 vertices and 3 F - 6 edges.
-    static constexpr std::size_t mostFaces = 32, mostVertices = 2 * mostFaces - 4, mostEdges = 3 * mostFaces - 6;
+    /// A pyramid's 6 faces, 6 clip planes, 4 walls, 8 sides of its cookie, 4 of depth and guard, 8 sides of view and
+    /// tile: 36 at most. By Euler's formula a solid of F faces has no more than 2 F - 4 vertices and 3 F - 6 edges.
+    static constexpr std::size_t mostFaces = 36, mostVertices = 2 * mostFaces - 4, mostEdges = 3 * mostFaces - 6;
     struct Edge {
         std::array<std::uint32_t, 2> vertices;
         std::array<std::uint32_t, 2> faces;

@@ -70,7 +70,7 @@ Verdict cutByDepth(ConvexPolyhedron& solid, const View& view, double tolerance) 
 }
 
 Verdict measure(LightVolume& volume, const Light& light, const View& view, const LightPose& pose,
-                std::span<const glm::dvec4> walls, ConvexPolyhedron& seen) {
+                std::span<const glm::dvec4> walls, std::span<const glm::dvec4> beam, ConvexPolyhedron& seen) {
     ConvexPolyhedron solid = pyramid(light, pose);
     const double tolerance = touching * size(solid);
     for (std::size_t i = 6; i < volume.planes.size(); ++i)
@@ -105,6 +105,7 @@ Verdict measure(LightVolume& volume, const Light& light, const View& view, const
     volume.farLit = volume.farDepth;
     seen = solid;
     if (!cutAll(seen, walls, tolerance)) return Verdict::BehindWalls;
+    if (!cutAll(seen, beam, tolerance)) return Verdict::DarkCookie;
     const auto [lastLit, firstLit] = std::minmax_element(seen.vertices.begin(), seen.vertices.end(),
                                                          [](const auto& a, const auto& b) { return a.z < b.z; });
     volume.nearLit = std::max(-firstLit->z, view.nearPlane);
@@ -112,6 +113,7 @@ Verdict measure(LightVolume& volume, const Light& light, const View& view, const
     for (const glm::dvec3& p : seen.vertices) volume.axisLit = std::max(volume.axisLit, axisOf(pose, p));
     for (const glm::dvec4& wall : walls) volume.planes.push_back(wall);
     volume.walls = walls.size();
+    for (const glm::dvec4& side : beam) volume.beam.push_back(side);
     const auto shown = [&](ConvexPolyhedron& part) {
         if (!cut(part, before(view.sceneDepth), tolerance)) return Verdict::BehindScene;
         return cutAll(part, spanOf(viewSides(view, 1.0)), tolerance) ? Verdict::Drawn : Verdict::BesideView;
@@ -131,12 +133,33 @@ InlineVector<glm::dvec4, 4> viewSides(const View& view, double width) {
     return sides;
 }
 
+InlineVector<glm::dvec4, 8> beamSides(const Light& light, const LightPose& pose, const TextureSurvey& cookie) {
+    // Less than this of the slide's side is not worth a plane.
+    constexpr double leastSpared = 0.02;
+    const glm::dvec2 scale = 0.5 / glm::tan(0.5 * light.fov);
+    const glm::dvec2 along[] = {{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}};
+    const double whole[][2] = {{0.0, 1.0}, {0.0, 1.0}, {0.0, 2.0}, {-1.0, 1.0}};
+    InlineVector<glm::dvec4, 8> sides;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const glm::dvec2& d = along[i];
+        // At distance w along the axis u = x scale.x / w + 0.5 and v = 0.5 - y scale.y / w; times w, d.x u + d.y v -
+        // bound is a plane through the lamp.
+        const auto plane = [&](double bound, double sign) {
+            const glm::dvec4 side(d.x * scale.x, -d.y * scale.y, bound - 0.5 * (d.x + d.y), 0.0);
+            return unitPlane(sign * side * pose.lightFromView);
+        };
+        if (cookie.litLeast[i] > whole[i][0] + leastSpared) sides.push_back(plane(cookie.litLeast[i] - 1e-4, 1.0));
+        if (cookie.litMost[i] < whole[i][1] - leastSpared) sides.push_back(plane(cookie.litMost[i] + 1e-4, -1.0));
+    }
+    return sides;
+}
+
 LightVolume lightVolume(const Light& light, const View& view, const LightPose& pose, std::span<const glm::dvec4> walls,
-                        ConvexPolyhedron& seen) {
+                        std::span<const glm::dvec4> beam, ConvexPolyhedron& seen) {
     LightVolume volume;
     addPyramidPlanes(volume.planes, light, pose);
     for (const glm::dvec4& plane : light.clipPlanes) volume.planes.push_back(viewPlane(plane, view.worldFromView));
-    volume.hidden = measure(volume, light, view, pose, walls, seen);
+    volume.hidden = measure(volume, light, view, pose, walls, beam, seen);
     return volume;
 }
 

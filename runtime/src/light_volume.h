@@ -20,11 +20,13 @@ struct LightVolume {
     /// then its clip planes, then walls.
     InlineVector<glm::dvec4, 16> planes;
     std::size_t walls = 0;  ///< of the planes, the last ones
+    /// Planes through the lamp outside of which its cookie is black, see beamSides().
+    InlineVector<glm::dvec4, 8> beam;
     /// Those sides of the view's frustum, widened by guardBand, that the volume crosses.
     InlineVector<glm::dvec4, 4> guard;
     double nearDepth = 0.0, farDepth = 0.0;  ///< metres of view depth, whatever walls cut off
     double farShown = 0.0;                   ///< farDepth, but no deeper than View::sceneDepth
-    double nearLit = 0.0, farLit = 0.0;      ///< metres of view depth, before the walls
+    double nearLit = 0.0, farLit = 0.0;      ///< metres of view depth, before the walls and in the beam
     double axisLit = 0.0;                    ///< metres along the light's axis to the farthest point before the walls
     glm::dvec2 boundsMin{0.0}, boundsMax{0.0};  ///< view-space x and y of what lies inside the guard band
     double axisNear = 0.0, axisFar = 0.0;       ///< metres along the light's axis: all that clip planes leave
@@ -36,10 +38,13 @@ struct LightVolume {
 /// does at the picture's edge, multisampling included, ever meets this cut.
 inline constexpr double guardBand = 8.0;
 
-/// `walls`: planes of view space behind which the light does not come, see walls.h. `seen` becomes what the view
-/// frustum shows of the volume.
+/// Planes of view space that bound where the light's cookie lets light through; those that spare something.
+InlineVector<glm::dvec4, 8> beamSides(const Light& light, const LightPose& pose, const TextureSurvey& cookie);
+
+/// `walls`: planes of view space behind which the light does not come, see walls.h. `beam`: see beamSides(). `seen`
+/// becomes what the view frustum shows of what is lit.
 LightVolume lightVolume(const Light& light, const View& view, const LightPose& pose, std::span<const glm::dvec4> walls,
-                        ConvexPolyhedron& seen);
+                        std::span<const glm::dvec4> beam, ConvexPolyhedron& seen);
 
 /// Whether the whole pyramid can be told at a glance to lie outside of the view: Verdict::Drawn where it cannot.
 /// Costs a tenth of what lightVolume() costs. `sides` are viewSides(view, 1).

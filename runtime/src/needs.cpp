@@ -36,6 +36,48 @@ std::array<glm::dvec4, 6> wayTo(const Light& light, const SeenAir& air, std::uin
             glm::dvec4{0.0, 0.0, -1.0, -light.nearPlane}, glm::dvec4{0.0, 0.0, 1.0, air.axisFar}};
 }
 
+Shade shadeOf(const ConvexPolyhedron& solid, double margin, const glm::dvec2& texel) {
+    Shade shade{unbounded, glm::dvec2(unbounded), glm::dvec2(-unbounded)};
+    for (const glm::dvec3& p : solid.vertices) {
+        shade.axis = std::min(shade.axis, -p.z - margin);
+        shade.least = glm::min(shade.least, glm::dvec2(p) / -p.z);
+        shade.most = glm::max(shade.most, glm::dvec2(p) / -p.z);
+    }
+    shade.least -= texel;
+    shade.most += texel;
+    return shade;
+}
+
+double area(const glm::dvec2& least, const glm::dvec2& most) {
+    const glm::dvec2 extent = glm::max(most - least, glm::dvec2(0.0));
+    return extent.x * extent.y;
+}
+
+// Share of what is seen of the slide above which an occluder's shade is not told from all of it.
+constexpr double largeShare = 0.5;
+
+ShadowNeed gather(std::span<const Shade> shades, const Light& light, const SeenAir& air) {
+    ShadowNeed need{!shades.empty(), unbounded, unbounded, air.slideMax, air.slideMin};
+    const double whole = largeShare * area(air.slideMin, air.slideMax);
+    const auto within = [&](const Shade& shade) {
+        return area(glm::max(shade.least, air.slideMin), glm::min(shade.most, air.slideMax));
+    };
+    for (const Shade& shade : shades) {
+        need.firstOccluder = std::min(need.firstOccluder, shade.axis);
+        if (within(shade) >= whole) need.firstLarge = std::min(need.firstLarge, shade.axis);
+    }
+    for (const Shade& shade : shades) {
+        if (shade.axis >= need.firstLarge) continue;
+        need.shadeMin = glm::min(need.shadeMin, shade.least);
+        need.shadeMax = glm::max(need.shadeMax, shade.most);
+    }
+    if (area(glm::max(need.shadeMin, air.slideMin), glm::min(need.shadeMax, air.slideMax)) >= whole)
+        need.firstLarge = need.firstOccluder;
+    need.firstOccluder = std::max(need.firstOccluder, light.nearPlane);
+    need.firstLarge = std::max(need.firstLarge, light.nearPlane);
+    return need;
+}
+
 }  // namespace
 
 OccluderBounds boundsOf(const OccluderBox& box) {
@@ -51,15 +93,16 @@ OccluderBounds boundsOf(const OccluderBox& box) {
 }
 
 ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& air, std::span<const glm::dvec4> walls,
-                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize) {
+                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize, std::vector<Shade>& scratch) {
     const std::array<glm::dvec4, 6> way = wayTo(light, air, mapSize);
+    // Filtering reads the four nearest texels, a draw covers those whose centres it covers.
+    const glm::dvec2 texel = 4.0 * glm::tan(0.5 * light.fov) / static_cast<double>(mapSize);
     const glm::dvec3 lamp(light.worldFromLight[3]);
     const glm::dmat3 lightFromWorld = glm::inverse(glm::dmat3(light.worldFromLight));
     InlineVector<glm::dvec4, mostWalls> lit;  // before the walls, in light space
     for (const glm::dvec4& wall : walls) lit.push_back(unitPlane(wall * pose.viewFromLight));
 
-    ShadowNeed need;
-    need.firstOccluder = unbounded;
+    scratch.clear();
     for (const OccluderBounds& occluder : occluders) {
         const glm::dvec3 centre = lightFromWorld * (occluder.centre - lamp);
         const auto beyond = [&](const glm::dvec4& plane) {
@@ -86,11 +129,9 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         if (std::any_of(lit.begin(), lit.end(),
                         [&](const glm::dvec4& plane) { return cutOut(plane, -2.0 * wallMargin(plane.w)); }))
             continue;
-        need.needed = true;
-        for (const glm::dvec3& p : solid.vertices) need.firstOccluder = std::min(need.firstOccluder, -p.z - margin);
+        scratch.push_back(shadeOf(solid, margin, texel));
     }
-    need.firstOccluder = std::max(need.firstOccluder, light.nearPlane);
-    return need;
+    return gather(scratch, light, air);
 }
 
 double FactorRange::largest() const {

@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 #include <span>
+#include <vector>
 
 #include "inline_vector.h"
 #include "seen_air.h"
@@ -21,16 +22,25 @@ struct OccluderBounds {
 
 OccluderBounds boundsOf(const OccluderBox& box);
 
+/// Which of a light's air may lie in shadow: nothing before `firstOccluder`; from there to `firstLarge` only what lies
+/// within the rectangle of slopes; behind that anything.
 struct ShadowNeed {
     bool needed = false;
-    double firstOccluder = 0.0;  ///< metres along the light's axis; at least its near plane
+    double firstOccluder = 0.0, firstLarge = 0.0;  ///< metres along the light's axis, at least its near plane
+    glm::dvec2 shadeMin{0.0}, shadeMax{0.0};       ///< light-space x / w and y / w
+};
+
+/// What one occluder may keep from the light.
+struct Shade {
+    double axis;  ///< metres along the light's axis, where it begins
+    glm::dvec2 least, most;
 };
 
 /// Whether an occluder can stand between the lamp and the air that is seen: whether its box meets what the lamp has
 /// to shine through to get there. What lies behind a wall (planes of view space, see walls.h) does not count.
-/// `mapSize`: texels a side of the shadow map, whose filtering reads a texel farther out.
+/// `mapSize`: texels a side of the shadow map, whose filtering reads a texel farther out. `scratch`: working memory.
 ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& air, std::span<const glm::dvec4> walls,
-                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize);
+                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize, std::vector<Shade>& scratch);
 
 /// What a texture can multiply a light by.
 struct FactorRange {

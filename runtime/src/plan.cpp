@@ -40,7 +40,7 @@ struct Planner::Impl {
     std::vector<OccluderBounds> occluders;
     std::vector<BlockerBounds> blockers;
     std::vector<std::uint32_t> indices;
-    WallScratch walls;
+    ConsiderScratch scratch;
 
     Result<void> check(std::span<const Light> lights, const View& view, const PlanOptions& options,
                        const Surroundings& surroundings);
@@ -68,7 +68,7 @@ void Planner::Impl::consider(const PlanContext& context, std::span<const Light> 
         Candidate& candidate = candidates.emplace_back();
         candidate.light = static_cast<std::uint32_t>(i);
         if (!tyndall::consider(context, lights[i], surveys.empty() ? LightSurvey{} : surveys[i], planned, candidate,
-                               walls))
+                               scratch))
             candidates.pop_back();
     }
 }

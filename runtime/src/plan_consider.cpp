@@ -58,7 +58,7 @@ double visibleSlab(const Light& light, const PlanOptions& options) {
 }  // namespace
 
 bool consider(const PlanContext& context, const Light& light, const LightSurvey& survey, PlannedLight& planned,
-              Candidate& candidate, WallScratch& scratch) {
+              Candidate& candidate, ConsiderScratch& scratch) {
     const auto& [view, options, surroundings, occluders, blockers, sides, technique] = context;
     const bool whole = options.everything;
     planned.verdict = darkness(light, options.look);
@@ -75,9 +75,12 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     // Behind a wall there is no light only where shadows are drawn. Quads have no clip distance to spare for them.
     InlineVector<glm::dvec4, mostWalls> walls;
     if (light.shadow && planned.shadowVerdict != TermVerdict::Overruled && options.geometry == Geometry::ExactPolygons)
-        walls = wallsOf(light, view, pose, surroundings.blockers, blockers, scratch);
+        walls = wallsOf(light, view, pose, surroundings.blockers, blockers, scratch.walls);
     ConvexPolyhedron seen;
-    candidate.volume = lightVolume(light, view, pose, {walls.data(), walls.size()}, seen);
+    InlineVector<glm::dvec4, 8> beam;
+    if (light.cookie && survey.cookie && planned.cookieVerdict != TermVerdict::Overruled)
+        beam = beamSides(light, pose, *survey.cookie);
+    candidate.volume = lightVolume(light, view, pose, {walls.data(), walls.size()}, {beam.data(), beam.size()}, seen);
     LightVolume& volume = candidate.volume;
     const bool hasDepth = volume.farDepth > volume.nearDepth;
     planned.verdict = volume.hidden;
@@ -114,15 +117,14 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
 
     candidate.shadowBias = std::max(options.shadowBias, mapErrorAt({walls.data(), walls.size()}, light, pose,
                                                                    volume.axisLit, options.shadowMapSize));
-    planned.firstOccluder = light.nearPlane;
+    candidate.shadow = {false, light.nearPlane, light.nearPlane, {}, {}};
     if (light.shadow && !technique && air.any && surroundings.occluders) {
-        const ShadowNeed need =
-            shadowNeed(light, pose, air, {walls.data(), walls.size()}, occluders, options.shadowMapSize);
-        candidate.divisible = need.needed;
-        candidate.firstOccluder = need.firstOccluder;
-        if (!whole) planned.firstOccluder = need.firstOccluder;
-        if (!whole && !need.needed) planned.shadowVerdict = TermVerdict::NoOccluder;
+        candidate.shadow = shadowNeed(light, pose, air, {walls.data(), walls.size()}, occluders, options.shadowMapSize,
+                                      scratch.shades);
+        candidate.divisible = candidate.shadow.needed;
+        if (!whole && !candidate.shadow.needed) planned.shadowVerdict = TermVerdict::NoOccluder;
     }
+    planned.firstOccluder = whole ? light.nearPlane : candidate.shadow.firstOccluder;
 
     planned.noise = planned.noiseVerdict == TermVerdict::Drawn || planned.noiseVerdict == TermVerdict::Forced;
     planned.shadow = planned.shadowVerdict == TermVerdict::Drawn || planned.shadowVerdict == TermVerdict::Forced;

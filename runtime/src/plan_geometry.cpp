@@ -59,15 +59,16 @@ Planes volumePlanes(const LightVolume& volume) {
     return planes;
 }
 
-// Planes that divide slices into what is seen (positive) and what is not: the walls, and the ends of the seen air along
-// the axis, if that spares a tenth of the pyramid or more.
-using Cuts = InlineVector<glm::dvec4, mostWalls + 2>;
+// Planes that divide slices into what is lit and seen (positive) and what is not: the walls, the sides of the cookie's
+// beam, and the ends of the seen air along the axis, if that spares a tenth of the pyramid or more.
+using Cuts = InlineVector<glm::dvec4, mostWalls + 8 + 2>;
 
 Cuts unseenBeyond(const Light& light, const Candidate& candidate) {
     Cuts cuts;
     const LightVolume& volume = candidate.volume;
     for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
         cuts.push_back(volume.planes[i]);
+    for (const glm::dvec4& side : volume.beam) cuts.push_back(side);
     const SeenAir& air = candidate.air;
     if (!air.any) return cuts;
     const double length = volume.axisFar - volume.axisNear;
@@ -79,17 +80,74 @@ Cuts unseenBeyond(const Light& light, const Candidate& candidate) {
     return cuts;
 }
 
+// Where a light's slices are cut apart, and which pieces need the shadow map.
+struct Partition {
+    InlineVector<glm::dvec4, 6> cuts;  ///< planes of view space
+    const LightPose* pose = nullptr;
+    double first = 0.0, large = 0.0;  ///< metres along the light's axis
+    glm::dvec2 shadeMin{0.0}, shadeMax{0.0};
+
+    // Pieces lie on one side of every cut, so any point of one speaks for it.
+    bool inShade(const SlicePolygon& piece, double depth) const {
+        glm::dvec2 middle(0.0);
+        for (std::size_t i = 0; i < piece.count; ++i) middle += piece.corners[i];
+        const glm::dvec3 p(pose->lightFromView * glm::dvec4(middle / static_cast<double>(piece.count), -depth, 1.0));
+        const glm::dvec2 slide = glm::dvec2(p) / -p.z;
+        if (-p.z < first) return false;
+        return -p.z >= large ||
+               (glm::all(glm::greaterThan(slide, shadeMin)) && glm::all(glm::lessThan(slide, shadeMax)));
+    }
+};
+
 // Before the first occluder the shadow map lets everything through; its depths are rounded by less than this share.
 constexpr double mapRounding = 1e-4;
 // A part that holds less of the light's length than this costs more to draw on its own than it spares.
 constexpr double leastPart = 0.05;
 
-std::optional<glm::dvec4> partition(const Candidate& candidate) {
-    if (!candidate.divisible) return std::nullopt;
-    const double at = candidate.firstOccluder * (1.0 - mapRounding);
+Partition partition(const Candidate& candidate) {
+    Partition parts;
+    if (!candidate.divisible) return parts;
     const SeenAir& air = candidate.air;
-    if (at - air.axisNear < leastPart * (air.axisFar - air.axisNear)) return std::nullopt;
-    return acrossAxis(candidate.pose, at, -1.0);
+    const ShadowNeed& need = candidate.shadow;
+    const double least = leastPart * (air.axisFar - air.axisNear);
+    parts.pose = &candidate.pose;
+    parts.first = need.firstOccluder * (1.0 - mapRounding);
+    parts.large = need.firstLarge * (1.0 - mapRounding);
+    parts.shadeMin = need.shadeMin;
+    parts.shadeMax = need.shadeMax;
+    if (parts.first - air.axisNear > least) parts.cuts.push_back(acrossAxis(candidate.pose, parts.first, -1.0));
+    if (std::min(parts.large, air.axisFar) - std::max(parts.first, air.axisNear) > least) {
+        if (parts.large < air.axisFar) parts.cuts.push_back(acrossAxis(candidate.pose, parts.large, -1.0));
+        for (int axis = 0; axis < 2; ++axis)
+            for (const double sign : {1.0, -1.0}) {
+                const double slope = sign > 0.0 ? parts.shadeMin[axis] : parts.shadeMax[axis];
+                if (slope <= air.slideMin[axis] || slope >= air.slideMax[axis]) continue;
+                glm::dvec4 side(0.0, 0.0, sign * slope, 0.0);  // sign * (x - slope * w), w = -z
+                side[axis] = sign;
+                parts.cuts.push_back(unitPlane(side * candidate.pose.lightFromView));
+            }
+    } else {
+        parts.large = parts.first;
+    }
+    return parts;
+}
+
+// Every cut goes through all pieces: where one piece had a corner on a side that its neighbour has whole, the
+// rasterizer would round the two sides differently.
+InlineVector<SlicePolygon, 24> cutApart(const SlicePolygon& whole, const Partition& parts, double depth) {
+    InlineVector<SlicePolygon, 24> pieces;
+    if (whole.count > 0) pieces.push_back(whole);
+    for (const glm::dvec4& plane : parts.cuts) {
+        const std::size_t before = pieces.size();
+        for (std::size_t i = 0; i < before; ++i) {
+            SlicePolygon inside, outside;
+            split(pieces[i], glm::dvec2(plane), plane.w - plane.z * depth, inside, outside);
+            if (inside.count == 0 || outside.count == 0) continue;
+            pieces[i] = inside;
+            pieces.push_back(outside);
+        }
+    }
+    return pieces;
 }
 
 void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex, int slices, bool shadow) {
@@ -114,8 +172,8 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
     const LightVolume& volume = candidate.volume;
     const Planes planes = volumePlanes(volume);
     const Cuts cuts = unseenBeyond(source, candidate);
-    const std::optional<glm::dvec4> lit = partition(candidate);
-    const bool apart = lit && !options.everything;
+    const Partition parts = partition(candidate);
+    const bool apart = !parts.cuts.empty() && !options.everything;
     // Larger than the bounds, so that every side of a slice comes from a plane and none from the bounds.
     const glm::dvec2 margin = 1e-3 * (volume.boundsMax - volume.boundsMin);
     const glm::dvec2 rectangleMin = volume.boundsMin - margin;
@@ -134,15 +192,14 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
             if (options.everything) appendPolygon(plan, plan.indices, outside, slab);
             polygon = inside;
         }
-        if (!lit) {
-            appendPolygon(plan, plan.indices, polygon, slab);
-            continue;
+        bool lit = false, shaded = false;
+        for (const SlicePolygon& piece : cutApart(polygon, parts, slab.middle)) {
+            const bool inShade = apart && parts.inShade(piece, slab.middle);
+            appendPolygon(plan, inShade ? scratch : plan.indices, piece, slab);
+            (inShade ? shaded : lit) = true;
         }
-        split(polygon, glm::dvec2(*lit), lit->w - lit->z * slab.middle, inside, outside);
-        appendPolygon(plan, plan.indices, inside, slab);
-        appendPolygon(plan, apart ? scratch : plan.indices, outside, slab);
-        before += inside.count > 0;
-        behind += outside.count > 0;
+        before += lit;
+        behind += shaded;
     }
     light.slices = range.end - range.first;
     light.divided = apart && before > 0;

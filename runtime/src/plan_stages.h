@@ -22,13 +22,13 @@ struct Candidate {
     LightVolume volume;
     SeenAir air;
     Slabs slabs;
+    ShadowNeed shadow;
     double base = 0.0;             ///< brightestWithoutTerms()
     FactorRange cookie, noise;     ///< over what is seen
     glm::dvec3 cookieFactor{1.0};  ///< stands in for a cookie that is not drawn
     double noiseFactor = 1.0;
     double shadowBias = 0.0;     ///< metres along the light's axis
-    bool divisible = false;      ///< shadow begins at firstOccluder, unless the options say otherwise
-    double firstOccluder = 0.0;  ///< metres along the light's axis
+    bool divisible = false;  ///< into what `shadow` says may lie in shadow and the rest
 };
 
 /// What stays the same for all lights of one plan.
@@ -42,9 +42,15 @@ struct PlanContext {
     std::optional<Terms> technique;     ///< that the options ask for
 };
 
+/// Working memory of consider().
+struct ConsiderScratch {
+    WallScratch walls;
+    std::vector<Shade> shades;
+};
+
 /// Fills `planned`, and `candidate` where it returns true. False: the verdict says why the light is not drawn.
 bool consider(const PlanContext& context, const Light& light, const LightSurvey& survey, PlannedLight& planned,
-              Candidate& candidate, WallScratch& scratch);
+              Candidate& candidate, ConsiderScratch& scratch);
 
 /// One thing that may be left out, and what that changes at most.
 struct Omission {

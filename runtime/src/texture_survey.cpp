@@ -42,6 +42,28 @@ double step(const glm::vec3& a, const glm::vec3& b) {
     return std::max({difference.r, difference.g, difference.b});
 }
 
+// Filtering carries a texel's light to where its own and its neighbours' centres are: a texel to each side.
+void findLit(TextureSurvey& survey, int width, int height, const Texels& source) {
+    constexpr double nothing = 1e300;
+    survey.litLeast.fill(nothing);
+    survey.litMost.fill(-nothing);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            if (source.at(x, y) == glm::vec3(0.0f)) continue;
+            for (const int right : {-1, 1})
+                for (const int down : {-1, 1}) {
+                    // Beyond the edge a clamped texel goes on for ever, and no pyramid does.
+                    const double u = std::clamp((x + 0.5 + right) / width, 0.0, 1.0);
+                    const double v = std::clamp((y + 0.5 + down) / height, 0.0, 1.0);
+                    const double along[] = {u, v, u + v, u - v};
+                    for (std::size_t i = 0; i < 4; ++i) {
+                        survey.litLeast[i] = std::min(survey.litLeast[i], along[i]);
+                        survey.litMost[i] = std::max(survey.litMost[i], along[i]);
+                    }
+                }
+        }
+}
+
 }  // namespace
 
 TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps) {
@@ -66,6 +88,7 @@ TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> te
             across = std::max(across, step(source.at(x, y), source.at(x + 1, y)));
             down = std::max(down, step(source.at(x, y), source.at(x, y + 1)));
         }
+    if (!wraps) findLit(survey, width, height, source);
     const double range = step(survey.whole.most, survey.whole.least);
     if (range > 0.0) survey.detail = std::min({1.0, range / (across * width), range / (down * height)});
     return survey;

@@ -55,7 +55,7 @@ TEST(ConvexPolyhedron, GivesWayOnlyToPlanesThatLeaveSomething) {
 
 LightVolume volumeOf(const Light& light, const View& view) {
     ConvexPolyhedron seen;
-    return lightVolume(light, view, lightPose(light.worldFromLight, view.worldFromView), {}, seen);
+    return lightVolume(light, view, lightPose(light.worldFromLight, view.worldFromView), {}, {}, seen);
 }
 
 Light lampAt(const glm::dvec3& position, const glm::dvec3& direction) {

@@ -83,7 +83,7 @@ TEST(Quads, HoldTheWholeVolumeAfterRounding) {
         const SliceConstants constants = constantsOf(planned({scene.light}, scene.view, quads(16)), 0);
         ConvexPolyhedron seen;
         const LightVolume volume = lightVolume(
-            scene.light, scene.view, lightPose(scene.light.worldFromLight, scene.view.worldFromView), {}, seen);
+            scene.light, scene.view, lightPose(scene.light.worldFromLight, scene.view.worldFromView), {}, {}, seen);
         for (int axis = 0; axis < 2; ++axis) {
             EXPECT_LE(static_cast<double>(constants.boundsMin[axis]), volume.boundsMin[axis]);
             EXPECT_GE(static_cast<double>(constants.boundsMax[axis]), volume.boundsMax[axis]);

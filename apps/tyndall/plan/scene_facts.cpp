@@ -3,19 +3,10 @@
 #include <glm/gtc/packing.hpp>
 
 #include "blockers.h"
+#include "occluder_boxes.h"
 
 namespace tyndall::app {
 namespace {
-
-OccluderBox boxOf(const Scene& scene, const MeshInstance& instance) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    Bounds box;
-    for (const std::uint32_t index : mesh.indices) {
-        box.minimum = glm::min(box.minimum, glm::dvec3(mesh.vertices[index].position));
-        box.maximum = glm::max(box.maximum, glm::dvec3(mesh.vertices[index].position));
-    }
-    return {instance.worldFromMesh, box.minimum, box.maximum};
-}
 
 /// Of the values that the device gets: half floats.
 TextureSurvey surveyOf(const Image& image, bool wraps) {
@@ -28,8 +19,7 @@ TextureSurvey surveyOf(const Image& image, bool wraps) {
 
 SceneFacts surveyScene(const Scene& scene) {
     SceneFacts facts;
-    for (const MeshInstance& instance : scene.instances)
-        if (!scene.meshes[instance.mesh].indices.empty()) facts.boxes.push_back(boxOf(scene, instance));
+    facts.boxes = occluderBoxes(scene);
     facts.blockers = findBlockers(scene);
     facts.cookies.resize(scene.images.size());
     facts.noises.resize(scene.images.size());

@@ -1,6 +1,7 @@
 // What plan() may know of a texture without reading it: between which values it lies, and how fine it is.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -18,6 +19,9 @@ struct TextureSurvey {
     int columns = 0, rows = 0;        ///< of cells; row 0 is the texture's top
     std::vector<TextureRange> cells;  ///< of every texel that bilinear filtering reads within the cell
     TextureRange whole;
+    /// Octagon of texture coordinates outside of which a clamped lookup is black, as a cone's cookie is in its corners:
+    /// least and most of u, v, u + v and u - v. Nothing is lit where a least lies above its most.
+    std::array<double, 4> litLeast{0.0, 0.0, 0.0, -1.0}, litMost{1.0, 1.0, 2.0, 1.0};
     double detail = 1.0;  ///< share of the texture's side over which it changes by its whole range, from the steepest
                           ///< step between neighbouring texels: a hard edge is a texel wide, a soft cone half the side
 };
