@@ -36,16 +36,44 @@ std::array<glm::dvec4, 6> wayTo(const Light& light, const SeenAir& air, std::uin
             glm::dvec4{0.0, 0.0, -1.0, -light.nearPlane}, glm::dvec4{0.0, 0.0, 1.0, air.axisFar}};
 }
 
-Shade shadeOf(const ConvexPolyhedron& solid, double margin, const glm::dvec2& texel) {
-    Shade shade{unbounded, glm::dvec2(unbounded), glm::dvec2(-unbounded)};
-    for (const glm::dvec3& p : solid.vertices) {
+const Shade emptyShade{unbounded, glm::dvec2(unbounded), glm::dvec2(-unbounded)};
+
+template <class Points>
+void widen(Shade& shade, const Points& points, double margin) {
+    for (const glm::dvec3& p : points) {
         shade.axis = std::min(shade.axis, -p.z - margin);
         shade.least = glm::min(shade.least, glm::dvec2(p) / -p.z);
         shade.most = glm::max(shade.most, glm::dvec2(p) / -p.z);
     }
+}
+
+Shade shadeOf(const ConvexPolyhedron& solid, double margin, const glm::dvec2& texel) {
+    Shade shade = emptyShade;
+    widen(shade, solid.vertices, margin);
     shade.least -= texel;
     shade.most += texel;
     return shade;
+}
+
+// What the half spaces leave of a triangle: each adds a corner at most.
+using Corners = InlineVector<glm::dvec3, 3 + 6 + mostWalls>;
+
+template <class Planes>
+Corners clipped(const std::array<glm::dvec3, 3>& triangle, const Planes& planes) {
+    Corners polygon;
+    for (const glm::dvec3& corner : triangle) polygon.push_back(corner);
+    for (const glm::dvec4& plane : planes) {
+        Corners left;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const glm::dvec3 &here = polygon[i], &next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+            const double inside = glm::dot(plane, glm::dvec4(here, 1.0)), then = glm::dot(plane, glm::dvec4(next, 1.0));
+            if (inside >= 0.0) left.push_back(here);
+            if ((inside > 0.0 && then < 0.0) || (inside < 0.0 && then > 0.0))
+                left.push_back(glm::mix(here, next, inside / (inside - then)));
+        }
+        polygon = left;
+    }
+    return polygon;
 }
 
 double area(const glm::dvec2& least, const glm::dvec2& most) {
@@ -53,28 +81,28 @@ double area(const glm::dvec2& least, const glm::dvec2& most) {
     return extent.x * extent.y;
 }
 
-// Share of what is seen of the slide above which an occluder's shade is not told from all of it.
-constexpr double largeShare = 0.5;
-
-ShadowNeed gather(std::span<const Shade> shades, const Light& light, const SeenAir& air) {
+// Where to stop telling shade from light: the depth up to which the occluders' slopes together spare the most. What is
+// seen at a distance from the lamp is about as wide as that distance.
+ShadowNeed gather(std::span<Shade> shades, const Light& light, const SeenAir& air) {
     ShadowNeed need{!shades.empty(), unbounded, unbounded, air.slideMax, air.slideMin};
-    const double whole = largeShare * area(air.slideMin, air.slideMax);
-    const auto within = [&](const Shade& shade) {
-        return area(glm::max(shade.least, air.slideMin), glm::min(shade.most, air.slideMax));
-    };
-    for (const Shade& shade : shades) {
-        need.firstOccluder = std::min(need.firstOccluder, shade.axis);
-        if (within(shade) >= whole) need.firstLarge = std::min(need.firstLarge, shade.axis);
+    if (shades.empty()) return need;
+    std::sort(shades.begin(), shades.end(), [](const Shade& a, const Shade& b) { return a.axis < b.axis; });
+    const double first = std::max(shades.front().axis, light.nearPlane);
+    need.firstOccluder = need.firstLarge = first;
+    const double whole = area(air.slideMin, air.slideMax);
+    glm::dvec2 least = air.slideMax, most = air.slideMin;
+    double spared = 0.0;
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+        least = glm::min(least, glm::max(shades[i].least, air.slideMin));
+        most = glm::max(most, glm::min(shades[i].most, air.slideMax));
+        const double end = i + 1 < shades.size() ? std::clamp(shades[i + 1].axis, first, air.axisFar) : air.axisFar;
+        const double gain = (1.0 - area(least, most) / whole) * (end * end - first * first);
+        if (!(gain > spared)) continue;
+        spared = gain;
+        need.firstLarge = end;
+        need.shadeMin = least;
+        need.shadeMax = most;
     }
-    for (const Shade& shade : shades) {
-        if (shade.axis >= need.firstLarge) continue;
-        need.shadeMin = glm::min(need.shadeMin, shade.least);
-        need.shadeMax = glm::max(need.shadeMax, shade.most);
-    }
-    if (area(glm::max(need.shadeMin, air.slideMin), glm::min(need.shadeMax, air.slideMax)) >= whole)
-        need.firstLarge = need.firstOccluder;
-    need.firstOccluder = std::max(need.firstOccluder, light.nearPlane);
-    need.firstLarge = std::max(need.firstLarge, light.nearPlane);
     return need;
 }
 
@@ -129,7 +157,27 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         if (std::any_of(lit.begin(), lit.end(),
                         [&](const glm::dvec4& plane) { return cutOut(plane, -2.0 * wallMargin(plane.w)); }))
             continue;
-        scratch.push_back(shadeOf(solid, margin, texel));
+        Shade shade = shadeOf(solid, margin, texel);
+        if (!occluder.box.triangles.empty()) {
+            // The box is met; are its triangles?
+            InlineVector<glm::dvec4, 6 + mostWalls> planes;
+            for (const glm::dvec4& plane : way) planes.push_back(plane + glm::dvec4(0.0, 0.0, 0.0, margin));
+            for (const glm::dvec4& plane : lit)
+                planes.push_back(plane - glm::dvec4(0.0, 0.0, 0.0, 2.0 * wallMargin(plane.w)));
+            const glm::dmat4& worldFromBox = occluder.box.worldFromBox;
+            shade = emptyShade;
+            for (const std::array<glm::vec3, 3>& triangle : occluder.box.triangles) {
+                std::array<glm::dvec3, 3> inLight;
+                for (std::size_t i = 0; i < 3; ++i)
+                    inLight[i] =
+                        lightFromWorld * (glm::dvec3(worldFromBox * glm::dvec4(glm::dvec3(triangle[i]), 1.0)) - lamp);
+                widen(shade, clipped(inLight, planes), margin);
+            }
+            if (!(shade.axis < unbounded)) continue;
+            shade.least -= texel;
+            shade.most += texel;
+        }
+        scratch.push_back(shade);
     }
     return gather(scratch, light, air);
 }

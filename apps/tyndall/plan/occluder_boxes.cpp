@@ -9,19 +9,19 @@ namespace {
 /// Of a mesh. plan() looks at each for every light that is seen: a few nanoseconds where it is far from the light.
 constexpr std::size_t mostBoxes = 64;
 /// Triangles of a box that is not worth halving.
-constexpr std::size_t fewTriangles = 8;
+constexpr std::size_t fewTriangles = 16;
 
 struct Cluster {
-    std::span<std::array<glm::dvec3, 3>> triangles;
+    std::span<std::array<glm::vec3, 3>> triangles;
     Bounds box;
 };
 
-Cluster clusterOf(std::span<std::array<glm::dvec3, 3>> triangles) {
+Cluster clusterOf(std::span<std::array<glm::vec3, 3>> triangles) {
     Cluster cluster{triangles, {}};
     for (const auto& triangle : triangles)
-        for (const glm::dvec3& corner : triangle) {
-            cluster.box.minimum = glm::min(cluster.box.minimum, corner);
-            cluster.box.maximum = glm::max(cluster.box.maximum, corner);
+        for (const glm::vec3& corner : triangle) {
+            cluster.box.minimum = glm::min(cluster.box.minimum, glm::dvec3(corner));
+            cluster.box.maximum = glm::max(cluster.box.maximum, glm::dvec3(corner));
         }
     return cluster;
 }
@@ -33,7 +33,7 @@ double surface(const Bounds& box) {
 
 /// Halves at the middle of the longest side of the triangles' centres.
 std::pair<Cluster, Cluster> halved(const Cluster& whole) {
-    const auto middle = [](const std::array<glm::dvec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3.0; };
+    const auto middle = [](const std::array<glm::vec3, 3>& t) { return glm::dvec3(t[0] + t[1] + t[2]) / 3.0; };
     Bounds centres;
     for (const auto& triangle : whole.triangles) {
         centres.minimum = glm::min(centres.minimum, middle(triangle));
@@ -48,22 +48,25 @@ std::pair<Cluster, Cluster> halved(const Cluster& whole) {
     return {clusterOf(whole.triangles.first(half)), clusterOf(whole.triangles.subspan(half))};
 }
 
-std::vector<Bounds> boxesOf(const Mesh& mesh) {
-    std::vector<std::array<glm::dvec3, 3>> triangles;
+std::vector<std::array<glm::vec3, 3>> trianglesOf(const Mesh& mesh) {
+    std::vector<std::array<glm::vec3, 3>> triangles;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-        triangles.push_back({glm::dvec3(mesh.vertices[mesh.indices[i]].position),
-                             glm::dvec3(mesh.vertices[mesh.indices[i + 1]].position),
-                             glm::dvec3(mesh.vertices[mesh.indices[i + 2]].position)});
+        triangles.push_back({mesh.vertices[mesh.indices[i]].position, mesh.vertices[mesh.indices[i + 1]].position,
+                             mesh.vertices[mesh.indices[i + 2]].position});
+    return triangles;
+}
+
+/// Orders the triangles by cluster.
+std::vector<Cluster> clustersOf(std::span<std::array<glm::vec3, 3>> triangles) {
     if (triangles.empty()) return {};
-    std::vector<Cluster> open{clusterOf(triangles)};
-    std::vector<Bounds> boxes;
+    std::vector<Cluster> open{clusterOf(triangles)}, done;
     const auto smaller = [](const Cluster& a, const Cluster& b) { return surface(a.box) < surface(b.box); };
     while (!open.empty()) {  // the largest first
         std::pop_heap(open.begin(), open.end(), smaller);
         const Cluster cluster = open.back();
         open.pop_back();
-        if (cluster.triangles.size() <= fewTriangles || boxes.size() + open.size() + 1 >= mostBoxes) {
-            boxes.push_back(cluster.box);
+        if (cluster.triangles.size() <= fewTriangles || done.size() + open.size() + 1 >= mostBoxes) {
+            done.push_back(cluster);
             continue;
         }
         const auto [first, second] = halved(cluster);
@@ -72,19 +75,21 @@ std::vector<Bounds> boxesOf(const Mesh& mesh) {
             std::push_heap(open.begin(), open.end(), smaller);
         }
     }
-    return boxes;
+    return done;
 }
 
 }  // namespace
 
-std::vector<OccluderBox> occluderBoxes(const Scene& scene) {
-    std::vector<std::vector<Bounds>> byMesh;
-    for (const Mesh& mesh : scene.meshes) byMesh.push_back(boxesOf(mesh));
-    std::vector<OccluderBox> all;
+OccluderBoxes occluderBoxes(const Scene& scene) {
+    OccluderBoxes found;
+    std::vector<std::vector<Cluster>> clusters;
+    for (const Mesh& mesh : scene.meshes)
+        clusters.push_back(clustersOf(found.triangles.emplace_back(trianglesOf(mesh))));
     for (const MeshInstance& instance : scene.instances)
-        for (const Bounds& box : byMesh[instance.mesh])
-            all.push_back({instance.worldFromMesh, box.minimum, box.maximum});
-    return all;
+        for (const Cluster& cluster : clusters[instance.mesh])
+            found.boxes.push_back(
+                {instance.worldFromMesh, cluster.box.minimum, cluster.box.maximum, cluster.triangles});
+    return found;
 }
 
 }  // namespace tyndall::app

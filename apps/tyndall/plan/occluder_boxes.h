@@ -9,8 +9,13 @@
 
 namespace tyndall::app {
 
-/// Boxes that together hold all triangles of all instances. A mesh has as many as follow its shape: one around a lamp
-/// post with its arm would hold the lamp's whole cone.
-std::vector<OccluderBox> occluderBoxes(const Scene& scene);
+/// Boxes that together hold all triangles of all instances, and the triangles, which they point into.
+struct OccluderBoxes {
+    std::vector<std::vector<std::array<glm::vec3, 3>>> triangles;  ///< by mesh
+    std::vector<OccluderBox> boxes;
+};
+
+/// A mesh has as many boxes as follow its shape: one around a lamp post with its arm would hold the lamp's whole cone.
+OccluderBoxes occluderBoxes(const Scene& scene);
 
 }  // namespace tyndall::app

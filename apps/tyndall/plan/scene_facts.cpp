@@ -3,7 +3,6 @@
 #include <glm/gtc/packing.hpp>
 
 #include "blockers.h"
-#include "occluder_boxes.h"
 
 namespace tyndall::app {
 namespace {
@@ -19,7 +18,7 @@ TextureSurvey surveyOf(const Image& image, bool wraps) {
 
 SceneFacts surveyScene(const Scene& scene) {
     SceneFacts facts;
-    facts.boxes = occluderBoxes(scene);
+    facts.occluders = occluderBoxes(scene);
     facts.blockers = findBlockers(scene);
     facts.cookies.resize(scene.images.size());
     facts.noises.resize(scene.images.size());
@@ -48,7 +47,10 @@ void followInstances(SceneFacts& facts, const Scene& scene) {
 }
 
 Surroundings surroundingsOf(const SceneFacts& facts) {
-    return {.occluders = std::span(facts.boxes), .blockers = facts.blockers, .depth = {}, .surveys = facts.surveys};
+    return {.occluders = std::span(facts.occluders.boxes),
+            .blockers = facts.blockers,
+            .depth = {},
+            .surveys = facts.surveys};
 }
 
 }  // namespace tyndall::app

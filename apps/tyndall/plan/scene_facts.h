@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "../scene/scene.h"
+#include "occluder_boxes.h"
 
 namespace tyndall::app {
 
 struct SceneFacts {
-    std::vector<OccluderBox> boxes;  ///< of those of Scene::instances that have triangles, in their order
+    OccluderBoxes occluders;
     std::vector<Blocker> blockers;
     std::vector<std::optional<TextureSurvey>> cookies, noises;  ///< by Scene::images, of those that lights use as such
     std::vector<LightSurvey> surveys;                           ///< by Scene::lights, into these

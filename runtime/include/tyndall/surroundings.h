@@ -17,6 +17,9 @@ namespace tyndall {
 struct OccluderBox {
     glm::dmat4 worldFromBox{1.0};  ///< affine: may scale and shear
     glm::dvec3 minimum{0.0}, maximum{0.0};
+    /// What is in it, in the box's space, where the caller has that at hand: looked at one by one where a light meets
+    /// the box. Kept alive by the caller while planning.
+    std::span<const std::array<glm::vec3, 3>> triangles = {};
 };
 
 /// Triangles of one plane, of things in the shadow map that are seen, too, in metres of world space: a floor, a
