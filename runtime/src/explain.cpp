@@ -131,8 +131,8 @@ std::vector<std::string> savings(const PlannedLight& light) {
         sentences.push_back("Of its " + metres(whole) + " along the axis, " + metres(seen) + " are seen, from " +
                             metres(light.seenNear) + " to " + metres(light.seenFar) + ".");
     if (light.divided)
-        sentences.push_back("No shadow looked up before the first occluder, " + metres(light.firstOccluder) +
-                            " from the lamp.");
+        sentences.push_back("Shadow looked up only where occluders can throw one, the first of them " +
+                            metres(light.firstOccluder) + " from the lamp.");
     return sentences;
 }
 

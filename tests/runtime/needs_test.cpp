@@ -9,6 +9,8 @@
 namespace tyndall {
 namespace {
 
+std::vector<Shade> scratch;
+
 using namespace test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -85,7 +87,7 @@ TEST(ShadowNeed, MissesNoOccluder) {
             boxes.push_back(randomBox(random, way.light));
             bounds.push_back(boundsOf(boxes.back()));
         }
-        const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, bounds, 1024);
+        const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, bounds, 1024, scratch);
         bool hit = false;
         for (int i = 0; i < 300; ++i) {
             const glm::dvec3 point = seenPoint(random, way);
@@ -120,7 +122,7 @@ TEST(ShadowNeed, MissesNoOccluder) {
 TEST(ShadowNeed, IsNoneWithoutOccluders) {
     Random random(2);
     const Way way = randomWay(random);
-    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, {}, 1024).needed);
+    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, {}, 1024, scratch).needed);
 }
 
 // A texel and a half beyond what is seen is looked up too; the widest of maps makes that wide.
@@ -138,8 +140,8 @@ TEST(ShadowNeed, CountsWhatFilteringReads) {
     box.minimum = {2.0 * (0.1 + 0.0114), -0.1, -2.01};
     box.maximum = {0.5, 0.1, -2.0};
     const OccluderBounds bounds = boundsOf(box);
-    EXPECT_TRUE(shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 64).needed);
-    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 1024).needed);
+    EXPECT_TRUE(shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 64, scratch).needed);
+    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 1024, scratch).needed);
 }
 
 TEST(ShadowNeed, LeavesTheWallItselfOut) {
@@ -157,7 +159,7 @@ TEST(ShadowNeed, LeavesTheWallItselfOut) {
     box.maximum = {2.0, 2.0, -4.0};
     const auto needed = [&] {
         const OccluderBounds bounds = boundsOf(box);
-        return shadowNeed(way.light, way.pose, way.air, walls, std::span(&bounds, 1), 1024);
+        return shadowNeed(way.light, way.pose, way.air, walls, std::span(&bounds, 1), 1024, scratch);
     };
     EXPECT_FALSE(needed().needed);
     box.maximum.z = -3.9;

@@ -51,7 +51,7 @@ Shot randomShot(Random& random, bool withTiles) {
 
     shot.pose = lightPose(shot.light.worldFromLight, shot.view.worldFromView);
     ConvexPolyhedron seen;
-    const LightVolume volume = lightVolume(shot.light, shot.view, shot.pose, {}, seen);
+    const LightVolume volume = lightVolume(shot.light, shot.view, shot.pose, {}, {}, seen);
     if (volume.hidden == Verdict::Drawn)
         shot.air = seenAir(seen, shot.view, shot.pose, withTiles ? std::optional(shot.tiles) : std::nullopt);
     return shot;
@@ -147,7 +147,7 @@ TEST(SeenAir, IsNoLargerThanWhatTheTilesLeave) {
     const View view = perspectiveView(glm::dmat4(1.0), 1.5, 1.0, 0.1, infinity);
     const LightPose pose = lightPose(light.worldFromLight, view.worldFromView);
     ConvexPolyhedron seen;
-    ASSERT_EQ(lightVolume(light, view, pose, {}, seen).hidden, Verdict::Drawn);
+    ASSERT_EQ(lightVolume(light, view, pose, {}, {}, seen).hidden, Verdict::Drawn);
     const auto air = [&](float left, float right) {
         const float depths[] = {left, right};
         return seenAir(seen, view, pose, DepthTiles{2, 1, depths});

@@ -31,7 +31,7 @@ struct Beam {
 Beam beamOf(const Light& light, const View& view) {
     Beam beam{light, view, lightPose(light.worldFromLight, view.worldFromView), {}};
     ConvexPolyhedron seen;
-    beam.volume = lightVolume(light, view, beam.pose, {}, seen);
+    beam.volume = lightVolume(light, view, beam.pose, {}, {}, seen);
     return beam;
 }
 

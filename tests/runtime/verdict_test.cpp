@@ -185,7 +185,7 @@ TEST(TermVerdict, NoOccluder) {
     EXPECT_EQ(light.shadowVerdict, TermVerdict::Drawn);
     EXPECT_NEAR(light.firstOccluder, 3.5, 1e-3);
     ASSERT_EQ(savings(light).size(), 1u);
-    EXPECT_EQ(savings(light)[0], "No shadow looked up before the first occluder, 3.5 m from the lamp.");
+    EXPECT_EQ(savings(light)[0], "Shadow looked up only where occluders can throw one, the first of them 3.5 m from the lamp.");
 }
 
 TEST(TermVerdict, Uniform) {
@@ -283,7 +283,7 @@ TEST(Savings, DoNotTellOfADivisionThatIsNotMade) {
     EXPECT_EQ(c.plan().parts.size(), 1u);
     EXPECT_TRUE(savings(c.planned()).empty());
     c.options.geometry = Geometry::ExactPolygons;
-    c.occluders = {box({0.0, 0.0, -0.9}, 0.2)};  // so near that a division does not pay
+    c.occluders = {box({0.0, 0.0, -0.9}, 0.4)};  // so near and large that a division does not pay
     EXPECT_EQ(c.plan().parts.size(), 1u);
     EXPECT_TRUE(savings(c.planned()).empty());
 }

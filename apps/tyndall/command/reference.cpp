@@ -42,6 +42,8 @@ Outcome<Said> reference(const ReferenceOptions& options, const Progress& progres
     auto start = std::chrono::steady_clock::now();
     auto viewed = viewScene(options.view);
     if (!viewed) return tl::unexpected(viewed.error());
+    for (std::size_t i = 0; i < viewed->lights.size(); ++i)  // nothing in its volume, nothing to ask for
+        viewed->lights[i].shadow = viewed->lights[i].shadow && !viewed->instancesInLight[i].empty();
     if (options.technique) leaveOut(viewed->lights, *termsOf(*options.technique));
     const auto scene = sceneFor(options, *viewed, run);
     if (!scene) return tl::unexpected(scene.error());

@@ -30,7 +30,6 @@ study::ReferenceScene commonPart(const ViewedScene& viewed, const ViewOptions& o
         const SceneLight& source = viewed.scene.lights[i];
         study::ReferenceLight light;
         light.light = viewed.lights[i];
-        light.light.shadow = light.light.shadow && !viewed.instancesInLight[i].empty();
         if (light.light.cookie && source.cone && !asUploaded) {
             light.cone = study::Cone{source.cone->inner, source.cone->outer};
             light.light.cookie = source.slide.has_value();

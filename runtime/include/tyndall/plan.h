@@ -117,7 +117,7 @@ struct PlannedLight {
     double volumeNear = 0.0, volumeFar = 0.0;      ///< metres along the light's axis: all that its planes leave
     double seenNear = 0.0, seenFar = 0.0;          ///< of that, what the view can see
     double firstOccluder = 0.0;                    ///< metres along the axis. volumeFar or more: there is none
-    bool divided = false;                          ///< slices are drawn without shadow before it, with shadow behind it
+    bool divided = false;                          ///< some of its slices are drawn without shadow
     std::uint32_t firstWall = 0, walls = 0;        ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
@@ -164,8 +164,9 @@ struct Plan {
 /// the picture, at eight times its half width, slices are cut off; slices that lie beside the picture, or hidden
 /// behind Surroundings::depth, are left out.
 ///
-/// With exact polygons a light with shadow is drawn in two parts: what lies before the first occluder without
-/// looking its shadow up, the rest with it. What lies behind blockers that cover its whole pyramid is not drawn.
+/// With exact polygons a light with shadow is drawn in two parts: what lies before the first occluder, or beside all
+/// that occluders can shade, without looking its shadow up, the rest with it. What lies behind blockers that cover its
+/// whole pyramid is not drawn.
 ///
 /// The plan for lights and eye a thousand kilometres from the world's origin is as accurate as at it.
 ///
