@@ -85,11 +85,23 @@ OccluderBoxes occluderBoxes(const Scene& scene) {
     std::vector<std::vector<Cluster>> clusters;
     for (const Mesh& mesh : scene.meshes)
         clusters.push_back(clustersOf(found.triangles.emplace_back(trianglesOf(mesh))));
-    for (const MeshInstance& instance : scene.instances)
-        for (const Cluster& cluster : clusters[instance.mesh])
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        for (const Cluster& cluster : clusters[scene.instances[i].mesh]) {
             found.boxes.push_back(
-                {instance.worldFromMesh, cluster.box.minimum, cluster.box.maximum, cluster.triangles});
+                {scene.instances[i].worldFromMesh, cluster.box.minimum, cluster.box.maximum, cluster.triangles});
+            found.instances.push_back(i);
+        }
     return found;
+}
+
+bool moveBoxes(OccluderBoxes& occluders, const Scene& scene) {
+    bool moved = false;
+    for (std::size_t i = 0; i < occluders.boxes.size(); ++i) {
+        const glm::dmat4& now = scene.instances[occluders.instances[i]].worldFromMesh;
+        moved = moved || occluders.boxes[i].worldFromBox != now;
+        occluders.boxes[i].worldFromBox = now;
+    }
+    return moved;
 }
 
 }  // namespace tyndall::app

@@ -35,15 +35,7 @@ SceneFacts surveyScene(const Scene& scene) {
 }
 
 void followInstances(SceneFacts& facts, const Scene& scene) {
-    bool moved = false;
-    std::size_t box = 0;
-    for (const MeshInstance& instance : scene.instances) {
-        if (scene.meshes[instance.mesh].indices.empty()) continue;
-        glm::dmat4& known = facts.boxes[box++].worldFromBox;
-        moved = moved || known != instance.worldFromMesh;
-        known = instance.worldFromMesh;
-    }
-    if (moved) facts.blockers = findBlockers(scene);
+    if (moveBoxes(facts.occluders, scene)) facts.blockers = findBlockers(scene);
 }
 
 Surroundings surroundingsOf(const SceneFacts& facts) {
