@@ -118,14 +118,18 @@ Partition partition(const Candidate& candidate) {
     if (parts.first - air.axisNear > least) parts.cuts.push_back(acrossAxis(candidate.pose, parts.first, -1.0));
     if (std::min(parts.large, air.axisFar) - std::max(parts.first, air.axisNear) > least) {
         if (parts.large < air.axisFar) parts.cuts.push_back(acrossAxis(candidate.pose, parts.large, -1.0));
-        for (int axis = 0; axis < 2; ++axis)
+        for (int axis = 0; axis < 2; ++axis) {
+            // Slices reach beyond what is seen of them; where the shade comes to its edge, it goes on.
+            if (parts.shadeMin[axis] <= air.slideMin[axis]) parts.shadeMin[axis] = -HUGE_VAL;
+            if (parts.shadeMax[axis] >= air.slideMax[axis]) parts.shadeMax[axis] = HUGE_VAL;
             for (const double sign : {1.0, -1.0}) {
                 const double slope = sign > 0.0 ? parts.shadeMin[axis] : parts.shadeMax[axis];
-                if (slope <= air.slideMin[axis] || slope >= air.slideMax[axis]) continue;
+                if (std::isinf(slope)) continue;
                 glm::dvec4 side(0.0, 0.0, sign * slope, 0.0);  // sign * (x - slope * w), w = -z
                 side[axis] = sign;
                 parts.cuts.push_back(unitPlane(side * candidate.pose.lightFromView));
             }
+        }
     } else {
         parts.large = parts.first;
     }

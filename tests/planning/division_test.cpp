@@ -73,7 +73,7 @@ TEST_F(Division, PartsAddUpToTheWhole) {
             const Picture both = gpu.draw(plan).picture;
             const Picture first = gpu.draw(onlyPart(plan, 0)).picture, second = gpu.draw(onlyPart(plan, 1)).picture;
             EXPECT_GT(litPixels(first), 200);
-            EXPECT_GT(litPixels(second), 200);
+            EXPECT_GT(litPixels(second), 20) << "most of what lies behind the occluder is dark";
             // Sums of at most 64 floats in another order.
             EXPECT_LE(largestDifference(added(first, second), both), 64 * 0x1p-24);
             // The same slices with the shadow map looked up everywhere: before the occluder it answers 1, and a
