@@ -27,8 +27,8 @@ struct Candidate {
     FactorRange cookie, noise;     ///< over what is seen
     glm::dvec3 cookieFactor{1.0};  ///< stands in for a cookie that is not drawn
     double noiseFactor = 1.0;
-    double shadowBias = 0.0;     ///< metres along the light's axis
-    bool divisible = false;  ///< into what `shadow` says may lie in shadow and the rest
+    double shadowBias = 0.0;  ///< metres along the light's axis
+    bool divisible = false;   ///< into what `shadow` says may lie in shadow and the rest
 };
 
 /// What stays the same for all lights of one plan.

@@ -7,8 +7,8 @@
 namespace tyndall {
 namespace {
 
-// The midpoint rule over 1/d^2 is worst for an eye that looks along the beam, where it falls short by growth^2 / 4: by a
-// hundredth. For rays that pass the lamp at d it is off by coth(pi d / h) - 1, by 1e-13.
+// The midpoint rule over 1/d^2 is worst for an eye that looks along the beam, where it falls short by growth^2 / 4: by
+// a hundredth. For rays that pass the lamp at d it is off by coth(pi d / h) - 1, by 1e-13.
 constexpr double mostGrowth = 0.2;
 // Slabs to a feature of a cookie or a shadow map, seen at 45 degrees: two samples of each.
 constexpr double slabsPerDetail = 2.0;
