@@ -1,28 +1,8 @@
 // A Planner that has seen a few frames allocates nothing any more.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "allocations.h"
 #include "plan_scenes.h"
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-}
-
-// Replaces those of the whole program (C++20, [new.delete]); the aligned ones are not used by anything here.
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 namespace tyndall {
 namespace {
@@ -98,10 +78,10 @@ TEST(Planner, AllocatesNothingInTheSteadyState) {
                     for (int frame = 0; frame < 200; ++frame) {
                         options.time = 0.02 * frame;
                         const View view = onTheWay(frame % 100);  // the second round has been seen before
-                        const std::size_t before = allocations;
+                        const std::size_t before = allocations();
                         const bool done =
                             planner.plan(stage.lights, view, options, stage.surroundings, plan).has_value();
-                        if (frame >= 100) steady += allocations - before;
+                        if (frame >= 100) steady += allocations() - before;
                         ASSERT_TRUE(done);
                         drawn += plan.parts.size();
                     }
@@ -112,9 +92,9 @@ TEST(Planner, AllocatesNothingInTheSteadyState) {
 
 TEST(Planner, CountsAllocationsAtAll) {
     const Stage stage;
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     ASSERT_TRUE(plan(stage.lights, onTheWay(0), slices(32), stage.surroundings));
-    EXPECT_GT(allocations, before);
+    EXPECT_GT(allocations(), before);
 }
 
 TEST(Planner, PlansAsPlanDoesWhateverItPlannedBefore) {

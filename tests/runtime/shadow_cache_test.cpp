@@ -4,26 +4,10 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <limits>
-#include <new>
 
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* const memory = std::malloc(size)) return memory;
-    throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
+#include "allocations.h"
 
 namespace tyndall {
 namespace {
@@ -160,13 +144,13 @@ TEST_F(ShadowCacheTest, LightsAreApart) {
 }
 
 TEST_F(ShadowCacheTest, AskingAndDrawingAgainAllocateNothing) {
-    const std::size_t before = allocations;
+    const std::size_t before = test::allocations();
     bool any = false;
     for (int frame = 0; frame < 100; ++frame) {
         any = any || stale();
         cache.drawn(0, light, occluders, size);
     }
-    EXPECT_EQ(allocations, before);
+    EXPECT_EQ(test::allocations(), before);
     EXPECT_FALSE(any);
 }
 

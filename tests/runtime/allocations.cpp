@@ -1,0 +1,30 @@
+#include "allocations.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<std::size_t> count{0};
+}
+
+// Replace those of the whole program (C++20, [new.delete]); the aligned ones are not used by anything here.
+void* operator new(std::size_t size) {
+    ++count;
+    if (void* const memory = std::malloc(size ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace tyndall::test {
+
+std::size_t allocations() {
+    return count;
+}
+
+}  // namespace tyndall::test

@@ -1,0 +1,10 @@
+// How often operator new has been called, in programs that link allocations.cpp.
+#pragma once
+
+#include <cstddef>
+
+namespace tyndall::test {
+
+std::size_t allocations();
+
+}  // namespace tyndall::test
