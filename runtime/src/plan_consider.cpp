@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "brightness.h"
+#include "pixel_size.h"
 #include "plan_stages.h"
 
 namespace tyndall {
@@ -48,6 +49,13 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
     return detail;
 }
 
+// Metres that a rasterizer may move an edge of a slice, whose corners it rounds to 1/256 pixel: so much farther behind
+// a wall slices end, or a pixel whose slice lies just before the wall would lose its light.
+double snapping(const View& view, const PlanOptions& options, double farthest) {
+    constexpr double diagonal = 1.4143 / 512.0;
+    return diagonal * pixelSize(view, options.pictureHeight, farthest);
+}
+
 // Metres of air at the lamp's end whose light is half a display step.
 double visibleSlab(const Light& light, const PlanOptions& options) {
     const double perMetre = light.density * strongest(light.colour) / (4.0 * 3.14159265358979) *
@@ -88,6 +96,9 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.volumeNear = volume.axisNear;
     planned.volumeFar = volume.axisFar;
     planned.walls = static_cast<std::uint32_t>(volume.walls);
+    const double moved = snapping(view, options, std::min(volume.farLit, volume.farShown));
+    for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
+        volume.planes[i].w += moved;
 
     if (planned.verdict == Verdict::Drawn) candidate.air = seenAir(seen, view, pose, surroundings.depth);
     const SeenAir& air = candidate.air;

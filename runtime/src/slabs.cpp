@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pixel_size.h"
+
 namespace tyndall {
 namespace {
 
@@ -26,14 +28,6 @@ double reach(double cosine, double half) {
 
 double halfDiagonal(const Light& light) {
     return std::atan(glm::length(glm::tan(0.5 * light.fov)));
-}
-
-// Metres that a pixel covers at that view depth.
-double pixel(const View& view, const PlanOptions& options, double depth) {
-    if (options.pictureHeight == 0) return 0.0;
-    const glm::dmat4 rows = glm::transpose(view.clipFromView);
-    const double perHeight = glm::length(glm::dvec3(rows[1])) / (view.orthographic ? rows[3].w : -rows[3].z);
-    return 2.0 / (perHeight * options.pictureHeight) * (view.orthographic ? 1.0 : depth);
 }
 
 double reachAt(const Slabs& slabs, double offset) {
@@ -71,8 +65,9 @@ Slabs slabsOf(const Light& light, const View& view, const PlanOptions& options, 
     slabs.reachBehind = reach(along, halfDiagonal(light));
     slabs.reachBefore = reach(-along, halfDiagonal(light));
     slabs.growth = std::min(mostGrowth, detail / slabsPerDetail);
-    slabs.least = glm::length(
-        glm::dvec3(slabs.growth * light.nearPlane, leastPixels * pixel(view, options, volume.nearDepth), visible));
+    slabs.least =
+        glm::length(glm::dvec3(slabs.growth * light.nearPlane,
+                               leastPixels * pixelSize(view, options.pictureHeight, volume.nearDepth), visible));
     const double wanted = counted(slabs, volume.farLit) - counted(slabs, volume.nearLit);
     // What lies behind walls is drawn where everything is: it may take many slabs, but not any number of them.
     const double all = counted(slabs, slabs.farDepth) - counted(slabs, slabs.nearDepth);
