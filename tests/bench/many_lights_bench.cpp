@@ -1,8 +1,10 @@
-// What a frame costs the CPU as lights grow many: planning it, and uploading and recording it. Time is that of all
-// lights; the counter s_per_light divides it.
+// What a frame costs as lights grow many: planning it, uploading and recording it, and drawing it as planned and as it
+// were if nothing were left out. Time is that of all lights; the counter s_per_light divides it.
 #include <benchmark/benchmark.h>
+#include <headless/commands.h>
 #include <headless/device.h>
 #include <headless/image.h>
+#include <tyndall/explain.h>
 #include <tyndall/renderer.h>
 #include <vulkan/vulkan.h>
 
@@ -32,6 +34,12 @@ void planCity(benchmark::State& state) {
         if (const auto done = planner.plan(city.lights, city.view, city.options, surroundings, plan); !done)
             return state.SkipWithError(done.error().message.c_str());
     perLight(state, city.lights.size(), plan);
+}
+
+/// One for the whole program: some drivers do not start a second time.
+const Result<headless::Device>& theDevice() {
+    static const auto device = headless::Device::create();
+    return device;
 }
 
 headless::Image target(const headless::Device& device, VkFormat format, VkImageUsageFlags usage) {
@@ -70,8 +78,9 @@ struct CommandBuffer {
 void recordCity(benchmark::State& state) {
     const bench::City city = bench::city(static_cast<std::size_t>(state.range(0)));
     auto plan = tyndall::plan(city.lights, city.view, city.options, city.surroundings());
-    auto device = headless::Device::create();
-    if (!plan || !device) return state.SkipWithError("no plan or no device");
+    const auto& device = theDevice();
+    if (!plan) return state.SkipWithError(plan.error().message.c_str());
+    if (!device) return state.SkipWithError(device.error().message.c_str());
     auto renderer = Renderer::create({device->physicalDevice(), device->device()});
     if (!renderer) return state.SkipWithError(renderer.error().message.c_str());
     const auto sum = target(*device, accumulationFormat(plan->accumulation),
@@ -95,7 +104,48 @@ void recordCity(benchmark::State& state) {
     perLight(state, city.lights.size(), *plan);
 }
 
+/// From submission to fence, by the host's clock.
+void drawCity(benchmark::State& state, bool everything) {
+    const bench::City city = bench::city(static_cast<std::size_t>(state.range(0)));
+    PlanOptions options = city.options;
+    options.everything = everything;
+    auto plan = tyndall::plan(city.lights, city.view, options, city.surroundings());
+    const auto& device = theDevice();
+    if (!plan) return state.SkipWithError(plan.error().message.c_str());
+    if (!device) return state.SkipWithError(device.error().message.c_str());
+    auto renderer = Renderer::create({device->physicalDevice(), device->device()});
+    if (!renderer) return state.SkipWithError(renderer.error().message.c_str());
+    state.SetLabel(std::string(device->name()));
+    const auto sum = target(*device, accumulationFormat(plan->accumulation),
+                            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+    const auto colour = target(*device, VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+    const ShaftTargets targets{.extent = {1920, 1080},
+                               .accumulation = sum.handle(),
+                               .accumulationView = sum.view(),
+                               .colour = colour.view(),
+                               .colourFormat = VK_FORMAT_R32G32B32A32_SFLOAT};
+    const std::vector<LightTextures> textures(city.lights.size());
+    FrameData frame;
+    double fragments = 0.0;
+    for (const PlannedPart& part : plan->parts) fragments += expectedFragments(*plan, part, city.view, 1920, 1080);
+    for (auto _ : state) {
+        auto time = renderer->upload(frame, *plan).and_then([&] {
+            return headless::submitAndWait(*device, [&](VkCommandBuffer commands) -> Result<void> {
+                headless::transition(commands, colour, VK_IMAGE_LAYOUT_UNDEFINED,
+                                     VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+                return renderer->record(commands, frame, *plan, textures, targets);
+            });
+        });
+        if (!time) return state.SkipWithError(time.error().message.c_str());
+        state.SetIterationTime(1e-3 * *time);
+    }
+    state.counters["fragments"] = fragments;
+    perLight(state, city.lights.size(), *plan);
+}
+
 }  // namespace
 
 BENCHMARK(planCity)->Arg(1)->Arg(100)->Arg(10000)->Unit(benchmark::kMicrosecond);
 BENCHMARK(recordCity)->Arg(1)->Arg(100)->Arg(10000)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(drawCity, planned, false)->Arg(200)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(drawCity, forced, true)->Arg(200)->UseManualTime()->Unit(benchmark::kMillisecond);
