@@ -197,9 +197,7 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
                 text += fmt::format(
                     "  {}: {} slices, about {} fragments\n", part.technique, part.slices,
                     count(expectedFragments(planned.plan, part, planned.view, view.size.width, view.size.height)));
-        text += fmt::format("  slabs of {:.4g} m in the middle, {:.4g} to {:.4g} m before the eye\n",
-                            (light.farDepth - light.nearDepth) / std::max(light.slices, 1), light.nearDepth,
-                            light.farDepth);
+        text += fmt::format("  its volume spans {:.4g} to {:.4g} m before the eye\n", light.nearDepth, light.farDepth);
         text += fmt::format(
             "  {} of vertices, indices and constants{}; forced: {} fragments\n", bytes(cost.geometryBytes),
             light.shadow ? fmt::format(", {} of shadow map", bytes(cost.shadowMapBytes)) : "", count(whole.fragments));
