@@ -133,8 +133,10 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
     Renderer& renderer = options.shaders == Shaders::Frozen ? g.frozen : g.specialized;
     Drawing drawing;
     drawing.plan = must(plan(std::span(&shot.light, 1), viewOf(shot), planOptionsOf(shot, options)));
-    if (options.drawnWith)
+    if (options.drawnWith) {
+        for (PlannedLight& light : drawing.plan.lights) light.technique = *options.drawnWith;
         for (PlannedPart& part : drawing.plan.parts) part.technique = *options.drawnWith;
+    }
     if (options.change) options.change(drawing.plan);
 
     const Textures textures = texturesOf(shot);
