@@ -14,8 +14,14 @@ namespace {
 constexpr double mostGrowth = 0.2;
 // Slabs to a feature of a cookie or a shadow map, seen at 45 degrees: two samples of each.
 constexpr double slabsPerDetail = 2.0;
-// Pixels that neighbouring slices lie apart at least: seen at 45 degrees, an edge then steps by so many.
-constexpr double leastPixels = 3.0;
+// Slabs to the beam's width, as far as one sees into it from the side. A pixel counts the slices within the beam, one
+// more or one less than it ought to: with two to the width, stripes wind about it like a barber's pole; with eight they
+// are gone from the picture, and nothing steps as the eye moves (tests/apps/continuity_test.cpp).
+constexpr double slabsPerBeam = 8.0;
+// Pixels that neighbouring slices lie apart where a beam is wide: seen at 45 degrees, an edge then steps by so many.
+constexpr double leastPixels = 1.0;
+// Pixels that a beam is wide where it counts as a line, whose parts nobody can tell from each other.
+constexpr double thinBeam = 2.0;
 // As many as the budget may be at most.
 constexpr double mostBehindWalls = 65535.0;
 
@@ -32,6 +38,11 @@ double halfDiagonal(const Light& light) {
 
 double reachAt(const Slabs& slabs, double offset) {
     return offset > 0.0 ? slabs.reachBehind : slabs.reachBefore;
+}
+
+// The beam's lesser width over its distance from the lamp.
+double narrowness(const Light& light) {
+    return 2.0 * std::tan(0.5 * std::min(light.fov.x, light.fov.y));
 }
 
 // Slabs between the lamp's depth and `depth`, negative before the lamp.
@@ -64,10 +75,11 @@ Slabs slabsOf(const Light& light, const View& view, const PlanOptions& options, 
     const double along = pose.viewFromLight[2].z;  // of the light's axis, away from the eye
     slabs.reachBehind = reach(along, halfDiagonal(light));
     slabs.reachBefore = reach(-along, halfDiagonal(light));
-    slabs.growth = std::min(mostGrowth, detail / slabsPerDetail);
-    slabs.least =
-        glm::length(glm::dvec3(slabs.growth * light.nearPlane,
-                               leastPixels * pixelSize(view, options.pictureHeight, volume.nearDepth), visible));
+    const double inBeam = narrowness(light) / slabsPerBeam;
+    slabs.growth = std::min({mostGrowth, detail / slabsPerDetail, inBeam});
+    const double pixel = pixelSize(view, options.pictureHeight, volume.nearDepth);
+    const double thin = std::clamp(inBeam * light.nearPlane, pixel * thinBeam / slabsPerBeam, pixel * leastPixels);
+    slabs.least = std::hypot(std::max(slabs.growth * light.nearPlane, thin), visible);
     const double wanted = counted(slabs, volume.farLit) - counted(slabs, volume.nearLit);
     // What lies behind walls is drawn where everything is: it may take many slabs, but not any number of them.
     const double all = counted(slabs, slabs.farDepth) - counted(slabs, slabs.nearDepth);

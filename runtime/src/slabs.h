@@ -3,7 +3,7 @@
 // Even: N equal slabs from the farthest depth to the nearest.
 //
 // Adaptive: what varies in a beam varies with the distance from the lamp. 1/d^2 changes by its own size over d, the
-// texels of cookie and shadow map are as wide as d times an angle. So slabs are as thick as
+// beam itself and the texels of cookie and shadow map are as wide as d times an angle. So slabs are as thick as
 //
 //   h(z) = scale * sqrt((growth * d(z))^2 + least^2),   d(z) = reach * |z - lamp|
 //

@@ -104,6 +104,11 @@ double nearestOf(const Beam& beam, double depth) {
     return least;
 }
 
+// Of the beam, over the distance from the lamp.
+double widthOf(const Light& light) {
+    return 2.0 * std::tan(0.5 * std::min(light.fov.x, light.fov.y));
+}
+
 // Interior slabs are at most as thick as growth times the distance of the nearest air in them, where the budget
 // does not bind and nothing is too thin to be seen, but for the change of the distance within a slab.
 TEST(Slabs, AreThinAsTheirDistanceFromTheLampDemands) {
@@ -111,7 +116,8 @@ TEST(Slabs, AreThinAsTheirDistanceFromTheLampDemands) {
     int looked = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const Beam beam = randomBeam(random);
-        const double detail = std::exp(between(random, -3.0, 1.0)), growth = std::min(0.2, 0.5 * detail);
+        const double detail = std::exp(between(random, -4.0, 1.0));
+        const double growth = std::min({0.2, 0.5 * detail, widthOf(beam.light) / 8.0});
         const Slabs slabs = slabsFor(beam, adaptive(65536), detail);
         for (int i = 0; i < slabs.count; i += std::max(1, slabs.count / 12)) {
             const Slab slab = slabAt(slabs, i);
@@ -140,18 +146,44 @@ TEST(Slabs, IntegrateTheInverseSquare) {
         for (const Slab& slab : slabsIn(slabs)) sum += slab.thickness / std::pow(slab.middle - 10.0, 2.0);
         const double integral = 1.0 / light.nearPlane - 1.0 / light.farPlane;
         EXPECT_NEAR(sum / integral, 1.0, 0.012) << sign;
-        EXPECT_LT(slabs.count, 60);
+        EXPECT_LT(slabs.count, 100);
     }
 }
 
-TEST(Slabs, AreNeverMuchThinnerThanAFewPixels) {
+// What is finer than a pixel need not be told apart; a beam that is thinner than two pixels is a line, of which a
+// quarter of a pixel is an eighth.
+TEST(Slabs, AreNoThinnerThanAQuarterOfAPixelAndWhereTheBeamIsWideThanAPixel) {
     Random random(4);
+    int wide = 0;
     for (int trial = 0; trial < 200; ++trial) {
         const Beam beam = randomBeam(random);
         const Slabs slabs = slabsFor(beam, adaptive(65536, 100), 1e-6);
-        // 3 pixels of a picture 100 high with a field of view of 1.2, at the near end of the volume.
-        const double least = 3.0 * 2.0 * std::tan(0.6) / 100.0 * beam.volume.nearDepth;
-        for (int i = 1; i + 1 < slabs.count; ++i) EXPECT_GE(slabAt(slabs, i).thickness, least * (1.0 - 1e-9));
+        // Of a picture 100 high with a field of view of 1.2, at the near end of the volume.
+        const double pixel = 2.0 * std::tan(0.6) / 100.0 * beam.volume.nearDepth;
+        const bool isWide = widthOf(beam.light) * beam.light.nearPlane > 8.0 * pixel;
+        wide += isWide;
+        const double least = (isWide ? 1.0 : 0.25) * pixel;
+        double thinnest = infinity;
+        for (int i = 1; i + 1 < slabs.count; ++i) thinnest = std::min(thinnest, slabAt(slabs, i).thickness);
+        EXPECT_GE(thinnest, least * (1.0 - 1e-9));
+    }
+    EXPECT_GT(wide, 20);
+    EXPECT_LT(wide, 180);
+}
+
+// A narrow beam across the view, in even air: a ray through its axis meets the slices that its width there asks for.
+TEST(Slabs, EightSpanTheWidthOfABeamSeenFromTheSide) {
+    Light light = projector();
+    light.fov = glm::dvec2(glm::radians(10.0));
+    light.nearPlane = 0.3;
+    light.worldFromLight = lookingAt({-3.0, 0.0, -12.0}, {1.0, 0.0, -12.0});
+    const Slabs slabs = slabsFor(beamOf(light, wideView(glm::dmat4(1.0))), adaptive(65536, 2160));
+    for (const double along : {0.3, 0.6, 1.2, 2.4, 4.8}) {
+        const double half = 0.5 * widthOf(light) * along;
+        int met = 0;
+        for (const Slab& slab : slabsIn(slabs)) met += std::abs(slab.middle - 12.0) < half;
+        EXPECT_GE(met, 7) << along;  // one may begin before the beam and one end behind it
+        EXPECT_LE(met, 60) << along;
     }
 }
 
