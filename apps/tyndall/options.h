@@ -34,10 +34,14 @@ struct ViewOptions {
     Layer layer = Layer::All;
 };
 
+/// Slices a light at most, where it is drawn with as many as needed.
+constexpr int defaultMostSlices = 256;
+
 struct ShaftOptions {
     std::optional<std::string> technique;
     Accumulation accumulation = Accumulation::Rgba16f;
-    std::optional<int> planes;  ///< so many equal slabs a light; absent: as many as needed
+    std::optional<int> planes;      ///< so many equal slabs a light; absent: as many as needed
+    std::optional<int> mostSlices;  ///< but not more than that; absent: defaultMostSlices
     Geometry geometry = Geometry::ExactPolygons;
     Look look = Look::Physical;
     std::optional<double> range;  ///< absent: automaticRange()
@@ -46,9 +50,6 @@ struct ShaftOptions {
     bool displayed = true;           ///< false: radiance is kept as it is, however faint
     std::optional<double> exposure;  ///< stops, of what is displayed; absent: from the picture
 };
-
-/// Slices a light at most, where it is drawn with as many as needed.
-constexpr int mostSlices = 256;
 
 /// What --pipeline-cache takes in place of a file.
 constexpr std::string_view noPipelineCache = "none";

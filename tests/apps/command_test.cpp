@@ -50,6 +50,9 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongLine{"PlanesZero", {"--planes", "0"}, "from 1 to 65536"},
                     WrongLine{"PlanesTooMany", {"--planes", "65537"}, "from 1 to 65536"},
                     WrongLine{"PlanesJunk", {"--planes", "many"}, "--planes"},
+                    WrongLine{"MostSlicesZero", {"--most-slices", "0"}, "from 1 to 65536"},
+                    WrongLine{"MostSlicesWithPlanes", {"--most-slices", "9", "--planes", "9"}, "leave --planes out"},
+                    WrongLine{"MostSlicesOfTheArticle", {"--most-slices", "9", "--look", "article"}, "--look article"},
                     WrongLine{"PlanesOddWhenRouted", {"--accum", "rgba8-routed", "--planes", "6"}, "multiple of 4"},
                     WrongLine{"ShadowSizeZero", {"--shadow-size", "0"}, "--shadow-size"},
                     WrongLine{"RangeZero", {"--range", "0"}, "--range"},
@@ -226,6 +229,22 @@ TEST(Command, ExplainAsJson) {
     EXPECT_EQ(report["lights"][0]["saved"].size(), 2u) << report["lights"][0]["saved"];
     EXPECT_EQ(report["lights"][1]["drawn"], false);
     EXPECT_NE(report["lights"][1]["reason"].get<std::string>().find("point light"), std::string::npos);
+}
+
+TEST(Command, SlicesAreAsManyAsNeededUpToABound) {
+    const std::string scene = writeScene(wallScene());
+    const auto slices = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> words{"explain", scene, "--json"};
+        words.insert(words.end(), options.begin(), options.end());
+        const ProgramRun run = runTyndall(words);
+        return nlohmann::json::parse(run.output)["lights"][0]["slices"].get<int>();
+    };
+    const int needed = slices({"--most-slices", "65536"});
+    EXPECT_GT(needed, 40);
+    EXPECT_LE(slices({}), std::min(needed, 256));
+    EXPECT_GE(slices({}), std::min(needed, 250));
+    EXPECT_LE(slices({"--most-slices", "20"}), 20);
+    EXPECT_GE(slices({"--most-slices", "20"}), 18);
 }
 
 TEST(Command, NothingInTheConeMeansNoShadowMap) {

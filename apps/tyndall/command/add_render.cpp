@@ -12,6 +12,8 @@ void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts) {
     addOptional(app, "--technique", shafts.technique, "NAME", "technique of slices.fx for every light");
     addChoice(app, "--accum", shafts.accumulation, accumulationWords, "where slices are added up");
     addOptional(app, "--planes", shafts.planes, "N", "so many equal slices a light, 1 to 65536; as many as needed");
+    addOptional(app, "--most-slices", shafts.mostSlices, "N",
+                "where they are as many as needed, not more a light than that, 1 to 65536; 256");
     addChoice(app, "--geometry", shafts.geometry, geometryWords, "how slices become triangles");
     addChoice(app, "--look", shafts.look, lookWords, "constants that weigh a slice");
     addOptional(app, "--range", shafts.range, "R",
@@ -44,6 +46,11 @@ void addExplain(CLI::App& app, ExplainOptions& options, std::string& size) {
 Outcome<void> checkShafts(const ShaftOptions& shafts) {
     if (shafts.planes && (*shafts.planes < 1 || *shafts.planes > 65536))
         return fail("--planes: {} is out of bounds; take from 1 to 65536", *shafts.planes);
+    if (shafts.mostSlices && (*shafts.mostSlices < 1 || *shafts.mostSlices > 65536))
+        return fail("--most-slices: {} is out of bounds; take from 1 to 65536", *shafts.mostSlices);
+    if (shafts.mostSlices && (shafts.planes || shafts.look == Look::Article))
+        return fail("--most-slices: bounds slices that are as many as needed; leave {} out",
+                    shafts.planes ? "--planes" : "--look article");
     if (shafts.planes && shafts.accumulation == Accumulation::Rgba8Routed && *shafts.planes % 4 != 0)
         return fail(
             "--planes: {} slices cannot be spread evenly over four channels; with --accum rgba8-routed take a "

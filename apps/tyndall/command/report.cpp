@@ -54,8 +54,9 @@ std::string bytes(std::uint64_t number) {
 
 std::string slicesText(const ShaftOptions& shafts) {
     if (shafts.planes) return fmt::format("{} equal slices a light", *shafts.planes);
-    return shafts.look == Look::Article ? std::string("100 equal slices a light")
-                                        : fmt::format("up to {} slices a light", mostSlices);
+    return shafts.look == Look::Article
+               ? std::string("100 equal slices a light")
+               : fmt::format("up to {} slices a light", shafts.mostSlices.value_or(defaultMostSlices));
 }
 
 }  // namespace

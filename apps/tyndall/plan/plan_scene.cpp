@@ -12,7 +12,8 @@ bool eightBits(Accumulation accumulation) {
 
 PlanOptions optionsFor(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     PlanOptions options;
-    options.slices = shafts.planes.value_or(shafts.look == Look::Article ? 100 : mostSlices);
+    options.slices =
+        shafts.planes.value_or(shafts.look == Look::Article ? 100 : shafts.mostSlices.value_or(defaultMostSlices));
     options.spacing = shafts.planes ? Spacing::Even : Spacing::Adaptive;
     options.geometry = shafts.geometry;
     options.accumulation = shafts.accumulation;
