@@ -125,7 +125,7 @@ TEST_P(PlannedEqualsForced, FromAnywhere) {
         }
     }
     EXPECT_LT(slices, slicesForced) << "else this says nothing";
-    RecordProperty("largest_difference", std::to_string(worst));
+    RecordProperty("largest_difference", fmt::format("{:.2g}", worst));
     RecordProperty("slices", std::to_string(slices));
     RecordProperty("slices_forced", std::to_string(slicesForced));
 }

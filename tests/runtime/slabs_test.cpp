@@ -140,13 +140,14 @@ TEST(Slabs, IntegrateTheInverseSquare) {
     for (const double sign : {1.0, -1.0}) {
         Light light = projector();
         light.nearPlane = 0.05;
+        light.fov = glm::dvec2(1.8);  // so wide that its width asks for nothing
         light.worldFromLight = lookingAt({0.0, 0.0, -10.0}, {0.0, 0.0, -10.0 - sign});
         const Slabs slabs = slabsFor(beamOf(light, wideView(glm::dmat4(1.0))), adaptive(65536));
         double sum = 0.0;
         for (const Slab& slab : slabsIn(slabs)) sum += slab.thickness / std::pow(slab.middle - 10.0, 2.0);
         const double integral = 1.0 / light.nearPlane - 1.0 / light.farPlane;
         EXPECT_NEAR(sum / integral, 1.0, 0.012) << sign;
-        EXPECT_LT(slabs.count, 100);
+        EXPECT_LT(slabs.count, 60);
     }
 }
 
