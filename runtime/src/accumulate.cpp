@@ -27,7 +27,7 @@ Result<void> checkPart(const Plan& plan, const PlannedPart& part, std::size_t te
     if (light.light >= textures)
         return invalidArgument("light " + std::to_string(light.light) + " has no entry in textures; give one for " +
                                "each light that was planned");
-    if (light.constants >= plan.constants.size())
+    if (part.constants >= plan.constants.size())
         return invalidArgument("light " + std::to_string(light.light) +
                                " uses constants that the plan does not have; use the plan as plan() made it");
     if (std::size_t{part.firstIndex} + part.indexCount > plan.indices.size())
@@ -101,15 +101,14 @@ void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
 }
 
 /// Errors cannot occur once the images are resolved, but for a resource that slices.fx gained.
-Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const Plan& plan,
-                        const UploadedPlan& uploaded) {
+Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const UploadedPlan& uploaded) {
     VkPipeline bound = VK_NULL_HANDLE;
     for (const Renderer::Impl::PartDraw& draw : impl.draws) {
         if (draw.pipeline.handle != bound) {
             bound = draw.pipeline.handle;
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound);
         }
-        const FrameRange& constants = uploaded.constants[plan.lights[draw.part->light].constants];
+        const FrameRange& constants = uploaded.constants[draw.part->constants];
         const NamedBuffer block{globalsBlock, {constants.buffer, constants.offset, sizeof(SliceConstants)}};
         const auto pushed = pushResources(impl.gpu, commands, *draw.pipeline.layout, std::span(&block, 1), draw.images);
         if (!pushed) return tl::unexpected(pushed.error());
@@ -142,7 +141,7 @@ Result<void> Renderer::recordAccumulation(VkCommandBuffer commands, FrameData& f
     beginAccumulation(commands, targets);
     bindVertices(commands, uploaded.vertices.buffer, uploaded.vertices.offset, sizeof(SliceVertex));
     vkCmdBindIndexBuffer(commands, uploaded.indices.buffer, uploaded.indices.offset, VK_INDEX_TYPE_UINT32);
-    auto drawn = drawLights(*impl_, commands, plan, uploaded);
+    auto drawn = drawLights(*impl_, commands, uploaded);
     endAccumulation(commands, targets);
     return drawn;
 }

@@ -138,7 +138,7 @@ std::vector<std::string> savings(const PlannedLight& light) {
 
 double expectedFragments(const Plan& plan, const PlannedPart& part, const View& view, std::uint32_t width,
                          std::uint32_t height) {
-    const SliceConstants& constants = plan.constants[plan.lights[part.light].constants];
+    const SliceConstants& constants = plan.constants[part.constants];
     const glm::dvec3 least(constants.boundsMin), extent = glm::dvec3(constants.boundsMax) - least;
     const glm::dvec4 pictureSides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
     double covered = 0.0;

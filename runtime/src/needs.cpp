@@ -26,6 +26,7 @@ std::array<glm::dvec3, 8> cornersOf(const OccluderBox& box) {
 }
 
 // Light-space half spaces of what the lamp shines through on its way to the air that is seen.
+constexpr std::size_t nearEnd = 4;  // of them: the one that begins it
 std::array<glm::dvec4, 6> wayTo(const Light& light, const SeenAir& air, std::uint32_t mapSize) {
     const glm::dvec2 reach = glm::tan(0.5 * light.fov);
     // A texel and a half: filtering reads the four nearest, a draw covers texels whose centres it covers.
@@ -147,23 +148,18 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         }
         ConvexPolyhedron solid = hexahedron(corners);
         const double margin = boxMargin + boxShare * size;
-        const auto cutOut = [&](glm::dvec4 plane, double by) {
-            plane.w += by;
-            return !cut(solid, plane, 0.0);
-        };
-        if (std::any_of(way.begin(), way.end(), [&](const glm::dvec4& plane) { return cutOut(plane, margin); }))
-            continue;
+        InlineVector<glm::dvec4, 6 + mostWalls> planes;
+        for (const glm::dvec4& plane : way) planes.push_back(plane + glm::dvec4(0.0, 0.0, 0.0, margin));
+        // What is left has slopes: it stays before the lamp, however near to it the near plane is.
+        planes[nearEnd].w = std::min(planes[nearEnd].w, -0.5 * light.nearPlane);
         // A wall's plane lies a margin behind its triangles; what is less than that before them is the wall as well.
-        if (std::any_of(lit.begin(), lit.end(),
-                        [&](const glm::dvec4& plane) { return cutOut(plane, -2.0 * wallMargin(plane.w)); }))
+        for (const glm::dvec4& plane : lit)
+            planes.push_back(plane - glm::dvec4(0.0, 0.0, 0.0, 2.0 * wallMargin(plane.w)));
+        if (std::any_of(planes.begin(), planes.end(), [&](const glm::dvec4& plane) { return !cut(solid, plane, 0.0); }))
             continue;
         Shade shade = shadeOf(solid, margin, texel);
         if (!occluder.box.triangles.empty()) {
             // The box is met; are its triangles?
-            InlineVector<glm::dvec4, 6 + mostWalls> planes;
-            for (const glm::dvec4& plane : way) planes.push_back(plane + glm::dvec4(0.0, 0.0, 0.0, margin));
-            for (const glm::dvec4& plane : lit)
-                planes.push_back(plane - glm::dvec4(0.0, 0.0, 0.0, 2.0 * wallMargin(plane.w)));
             const glm::dmat4& worldFromBox = occluder.box.worldFromBox;
             shade = emptyShade;
             for (const std::array<glm::vec3, 3>& triangle : occluder.box.triangles) {

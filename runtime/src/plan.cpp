@@ -88,7 +88,6 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
                 placeOf(light, candidate.light) +
                 ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, intensity, "
                 "ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
-        planned.constants = static_cast<std::uint32_t>(plan.constants.size());
         plan.constants.push_back(constants);
         planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
         const LightVolume& volume = candidate.volume;

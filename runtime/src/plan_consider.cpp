@@ -83,7 +83,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     // Behind a wall there is no light only where shadows are drawn. Quads have no clip distance to spare for them.
     InlineVector<glm::dvec4, mostWalls> walls;
     if (light.shadow && planned.shadowVerdict != TermVerdict::Overruled && options.geometry == Geometry::ExactPolygons)
-        walls = wallsOf(light, view, pose, surroundings.blockers, blockers, scratch.walls);
+        walls = wallsOf(light, view, pose, surroundings.blockers, blockers, options.shadowMapSize, scratch.walls);
     ConvexPolyhedron seen;
     InlineVector<glm::dvec4, 8> beam;
     if (light.cookie && survey.cookie && planned.cookieVerdict != TermVerdict::Overruled)

@@ -154,9 +154,11 @@ InlineVector<SlicePolygon, 24> cutApart(const SlicePolygon& whole, const Partiti
     return pieces;
 }
 
+// Of the light whose constants were the last to be appended.
 void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex, int slices, bool shadow) {
     PlannedPart part;
     part.light = static_cast<std::uint32_t>(light.light);
+    part.constants = static_cast<std::uint32_t>(plan.constants.size() - 1);
     part.noise = light.noise;
     part.shadow = light.shadow && shadow;
     part.cookie = light.cookie;
@@ -165,6 +167,18 @@ void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex,
     part.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - firstIndex;
     part.slices = slices;
     if (part.indexCount > 0) plan.parts.push_back(part);
+}
+
+// What lies behind a wall is umbra. The bias that keeps the wall's shadow off the air before it would let light through
+// to the air behind it: there the bias goes the other way.
+void appendUmbra(Plan& plan, const PlannedLight& light, const std::vector<std::uint32_t>& indices, int slices) {
+    if (indices.empty()) return;
+    SliceConstants constants = plan.constants.back();
+    constants.shadow.w = -constants.shadow.w;
+    plan.constants.push_back(constants);
+    const auto first = static_cast<std::uint32_t>(plan.indices.size());
+    plan.indices.insert(plan.indices.end(), indices.begin(), indices.end());
+    appendPart(plan, light, first, slices, true);
 }
 
 }  // namespace
@@ -186,16 +200,20 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
 
     light.firstIndex = static_cast<std::uint32_t>(plan.indices.size());
     scratch.clear();
-    int before = 0, behind = 0;
+    int before = 0, behind = 0, inUmbra = 0;
     for (int i = range.first; i < range.end; ++i) {
         const Slab slab = slabAt(candidate.slabs, i);
         SlicePolygon polygon = slicePolygon(rectangleMin, rectangleMax, {planes.data(), planes.size()}, slab.middle);
         SlicePolygon inside, outside;
-        for (const glm::dvec4& cut : cuts) {
+        bool umbra = false;
+        for (std::size_t k = 0; k < cuts.size(); ++k) {  // the walls come first
+            const glm::dvec4& cut = cuts[k];
             split(polygon, glm::dvec2(cut), cut.w - cut.z * slab.middle, inside, outside);
-            if (options.everything) appendPolygon(plan, plan.indices, outside, slab);
+            if (options.everything) appendPolygon(plan, k < volume.walls ? scratch : plan.indices, outside, slab);
+            umbra |= k < volume.walls && outside.count > 0;
             polygon = inside;
         }
+        inUmbra += umbra;
         bool lit = false, shaded = false;
         for (const SlicePolygon& piece : cutApart(polygon, parts, slab.middle)) {
             const bool inShade = apart && parts.inShade(piece, slab.middle);
@@ -214,6 +232,7 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
         appendPart(plan, light, second, behind, true);
     } else {
         appendPart(plan, light, light.firstIndex, light.slices, true);
+        appendUmbra(plan, light, scratch, inUmbra);
     }
     light.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - light.firstIndex;
 }
@@ -240,15 +259,16 @@ void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, co
     light.slices = range.end - range.first;
     light.firstIndex = start;
     light.indexCount = perQuad * static_cast<std::uint32_t>(light.slices);
-    PlannedPart part{static_cast<std::uint32_t>(light.light),
-                     0,
-                     light.technique,
-                     light.noise,
-                     light.shadow,
-                     light.cookie,
-                     light.firstIndex,
-                     light.indexCount,
-                     light.slices};
+    PlannedPart part;
+    part.light = static_cast<std::uint32_t>(light.light);
+    part.constants = static_cast<std::uint32_t>(plan.constants.size() - 1);
+    part.technique = light.technique;
+    part.noise = light.noise;
+    part.shadow = light.shadow;
+    part.cookie = light.cookie;
+    part.firstIndex = light.firstIndex;
+    part.indexCount = light.indexCount;
+    part.slices = light.slices;
     if (part.indexCount > 0) plan.parts.push_back(part);
 }
 

@@ -31,6 +31,27 @@ double farthestInside(const glm::dvec4& plane, const Light& light, double axis, 
     return most;
 }
 
+// Over the square of the distance along the axis, by how much a shadow map holds a plane of light space to be too near.
+//
+// With p = z (s, -1) for slopes s, a plane n p + D = 0 has z = D / (n.z - n.xy s), so dz / ds = z^2 n.xy / D.
+// Filtering reads the four nearest texels, whose centres lie up to a texel aside both ways.
+double mapError(const glm::dvec4& plane, const Light& light, std::uint32_t mapSize) {
+    const glm::dvec2 texel = 2.0 * glm::tan(0.5 * light.fov) / static_cast<double>(mapSize);
+    return glm::dot(glm::abs(glm::dvec2(plane)), texel) / plane.w;
+}
+
+// The bias that keeps a wall's shadow off the air before it lets every shadow of the light begin so much farther from
+// the lamp than it ought to, a share of the distance. A wall that asks for more is steep to the light, and is an
+// occluder like any other.
+constexpr double mostMapError = 1.0 / 200.0;
+
+bool steep(const glm::dvec4& plane, const Light& light, std::uint32_t mapSize) {
+    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
+    const double grazing = plane.z - glm::dot(glm::abs(glm::dvec2(plane)), slope);
+    const double farthest = grazing * light.farPlane > plane.w ? plane.w / grazing : light.farPlane;
+    return mapError(plane, light, mapSize) * farthest > mostMapError;
+}
+
 // World-space corners of the picture on the view's near plane, where its rays begin.
 std::array<glm::dvec3, 4> nearCorners(const View& view) {
     const glm::dmat4 rows = glm::transpose(view.clipFromView);
@@ -47,7 +68,8 @@ std::array<glm::dvec3, 4> nearCorners(const View& view) {
 }
 
 // Blockers whose plane crosses the pyramid beyond its near end, largest first.
-Candidates candidatesFor(const Light& light, const View& view, std::span<const BlockerBounds> bounds) {
+Candidates candidatesFor(const Light& light, const View& view, std::span<const BlockerBounds> bounds,
+                         std::uint32_t mapSize) {
     const glm::dvec3 lamp(light.worldFromLight[3]);
     const std::array<glm::dvec3, 4> picture = nearCorners(view);
     const glm::dmat3 lightFromWorld = glm::inverse(glm::dmat3(light.worldFromLight));
@@ -73,6 +95,7 @@ Candidates candidatesFor(const Light& light, const View& view, std::span<const B
         const glm::dvec4 plane(sign * (lightFromWorld * normal), lampDistance);
         if (farthestInside(plane, light, light.nearPlane, -1.0) >= 0.0) continue;  // would cut the near end
         if (farthestInside(plane, light, light.farPlane, -1.0) <= 0.0) continue;   // beyond the far end
+        if (steep(plane, light, mapSize)) continue;
         Candidate candidate{i, plane};
         if (found.size() < mostWalls) {
             found.push_back(candidate);
@@ -124,8 +147,18 @@ void subtract(const SlicePolygon& whole, std::array<glm::dvec2, 3> triangle, std
 
 // More pieces than this, and looking for the last crack costs more than drawing.
 constexpr std::size_t mostPieces = 256;
-// Share of the face that may stay bare: the cracks that rounding leaves between triangles, which no shadow map shows.
-constexpr double bareShare = 1e-6;
+// Of the face's diameter: how wide the cracks are at most that rounding leaves between triangles in 32-bit floats.
+constexpr double crack = 1e-6;
+
+// A piece's area over its length.
+double width(const SlicePolygon& piece) {
+    glm::dvec2 least(piece.corners[0]), most = least;
+    for (std::size_t i = 1; i < piece.count; ++i) {
+        least = glm::min(least, piece.corners[i]);
+        most = glm::max(most, piece.corners[i]);
+    }
+    return area(piece) / glm::length(most - least);
+}
 
 bool covered(const Candidate& wall, const Candidates& walls, const Light& light, const Blocker& blocker,
              WallScratch& scratch, bool& touched) {
@@ -139,7 +172,9 @@ bool covered(const Candidate& wall, const Candidates& walls, const Light& light,
     touched = face.count >= 3;
     if (!touched) return true;
 
-    const double bare = bareShare * area(face);
+    double diameter = 0.0;
+    for (std::size_t i = 0; i < face.count; ++i)
+        diameter = std::max(diameter, 2.0 * glm::length(face.corners[i] - face.corners[0]));
     scratch.uncovered.clear();
     scratch.uncovered.push_back(face);
     const glm::dvec3 lamp(light.worldFromLight[3]);
@@ -151,12 +186,12 @@ bool covered(const Candidate& wall, const Candidates& walls, const Light& light,
         scratch.left.clear();
         for (const SlicePolygon& piece : scratch.uncovered) subtract(piece, triangle, scratch.left);
         std::swap(scratch.left, scratch.uncovered);
-        double sum = 0.0;
+        double widest = 0.0;
         for (const SlicePolygon& piece : scratch.uncovered) {
             if (piece.count == SlicePolygon::capacity) return false;  // corners may have been dropped
-            sum += area(piece);
+            widest = std::max(widest, width(piece));
         }
-        if (sum <= bare) return true;
+        if (widest <= crack * diameter) return true;
         if (scratch.uncovered.size() > mostPieces) return false;
     }
     return false;
@@ -188,8 +223,8 @@ BlockerBounds boundsOf(const Blocker& blocker) {
 
 InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
                                             std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
-                                            WallScratch& scratch) {
-    Candidates walls = candidatesFor(light, view, bounds);
+                                            std::uint32_t mapSize, WallScratch& scratch) {
+    Candidates walls = candidatesFor(light, view, bounds, mapSize);
     // A wall that is not covered is none; without it the others' faces grow, and are looked at again.
     std::array<bool, mostWalls> touched{};
     for (bool changed = true; changed && !walls.empty();) {
@@ -215,15 +250,10 @@ InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view
 
 double mapErrorAt(std::span<const glm::dvec4> walls, const Light& light, const LightPose& pose, double axisLit,
                   std::uint32_t mapSize) {
-    const glm::dvec2 texel = 2.0 * glm::tan(0.5 * light.fov) / static_cast<double>(mapSize);
     double most = 0.0;
-    for (const glm::dvec4& wall : walls) {
-        // With p = z (s, -1) for slopes s, a plane n p + D = 0 has z = D / (n.z - n.xy s), so dz / ds = z^2 n.xy / D.
-        // Filtering reads the four nearest texels, whose centres lie up to a texel aside both ways.
-        const glm::dvec4 plane = unitPlane(wall * pose.viewFromLight);
-        most = std::max(most, glm::dot(glm::abs(glm::dvec2(plane)), texel) * axisLit * axisLit / plane.w);
-    }
-    return most;
+    for (const glm::dvec4& wall : walls)
+        most = std::max(most, mapError(unitPlane(wall * pose.viewFromLight), light, mapSize));
+    return most * axisLit * axisLit;
 }
 
 }  // namespace tyndall

@@ -44,10 +44,12 @@ struct WallScratch {
 /// Planes of view space, unit normals, that keep the side where the light comes. Empty unless the blockers' triangles
 /// cover all of the pyramid between them. Only blockers with the lamp and all of the picture's near plane on one side
 /// count: from the other side the eye would see how a shadow map frays at them. They lie wallMargin() behind the
-/// triangles, so that no slice ends before the surface does. `bounds` has one entry for each blocker.
+/// triangles, so that no slice ends before the surface does. A wall so steep to the light that a shadow map of
+/// `mapSize` texels knows it by mapErrorAt() over 1/200 of its distance only is none. `bounds` has one entry for each
+/// blocker.
 InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
                                             std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
-                                            WallScratch& scratch);
+                                            std::uint32_t mapSize, WallScratch& scratch);
 
 /// Metres along the light's axis by which a shadow map, which knows surfaces at its texels' centres alone, holds these
 /// walls to be too near to the lamp. With less of a bias they would throw shadows on the air before them. `axisLit`:

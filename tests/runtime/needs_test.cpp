@@ -144,6 +144,32 @@ TEST(ShadowNeed, CountsWhatFilteringReads) {
     EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 1024, scratch).needed);
 }
 
+// A sheet x = 0.2 w - 2e-6, w the distance along the axis, that passes the lamp at 2 micrometres and behind it as well.
+// A ray of slope s meets it at w = 2e-6 / (0.2 - s): beyond the near plane for every slope from -1.8 to 0.2.
+TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
+    Way way;
+    way.light = projector();
+    way.light.nearPlane = 1e-6;
+    way.pose = lightPose(way.light.worldFromLight, glm::dmat4(1.0));
+    const glm::dvec2 slope = glm::tan(0.5 * way.light.fov);
+    way.air = SeenAir{true, 0.0, 0.0, 1e-6, 5.0, -slope, slope};
+    OccluderBox box;
+    const auto sheet = [](float w, float y) { return glm::vec3(0.2f * w - 2e-6f, y, -w); };
+    const std::array<std::array<glm::vec3, 3>, 2> triangles{
+        {{sheet(-1.0f, -2.0f), sheet(-1.0f, 2.0f), sheet(1.0f, 2.0f)},
+         {sheet(-1.0f, -2.0f), sheet(1.0f, 2.0f), sheet(1.0f, -2.0f)}}};
+    box.minimum = {-0.21, -2.0, -1.0};
+    box.maximum = {0.21, 2.0, 1.0};
+    box.triangles = triangles;
+    const OccluderBounds bounds = boundsOf(box);
+    const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 1024, scratch);
+    ASSERT_TRUE(need.needed);
+    for (const double s : {-0.3, -0.1, 0.0, 0.1, 0.19}) {
+        EXPECT_LE(need.firstOccluder, 2e-6 / (0.2 - s)) << s;
+        EXPECT_TRUE(need.firstLarge <= 1.0 || (need.shadeMin.x < s && s < need.shadeMax.x)) << s;
+    }
+}
+
 TEST(ShadowNeed, LeavesTheWallItselfOut) {
     Way way;
     way.light = projector();

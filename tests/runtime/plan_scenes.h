@@ -172,9 +172,12 @@ inline Plan planned(const std::vector<Light>& lights, const View& view, const Pl
     return result ? *std::move(result) : Plan{};
 }
 
-/// The uniform block of a light that is drawn.
+/// The uniform block of a light of which something is drawn.
 inline const SliceConstants& constantsOf(const Plan& plan, std::size_t light) {
-    return plan.constants.at(plan.lights.at(light).constants);
+    const auto part =
+        std::find_if(plan.parts.begin(), plan.parts.end(), [&](const PlannedPart& p) { return p.light == light; });
+    if (part == plan.parts.end()) throw std::out_of_range("the light has no part");
+    return plan.constants.at(part->constants);
 }
 
 /// The lights of a group, each once, in ascending order.

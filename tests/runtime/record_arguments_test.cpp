@@ -104,7 +104,7 @@ TEST_F(RecordArguments, GroupWithPartsBeyondThePlan) {
 
 TEST_F(RecordArguments, ConstantsBeyondThePlan) {
     Frame frame;
-    frame.plan.lights[0].constants = 7;
+    frame.plan.parts[0].constants = 7;
     expectError(frame.record(), ErrorCode::InvalidArgument, "constants");
 }
 

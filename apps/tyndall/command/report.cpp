@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "light_costs.h"
 #include "peak_memory.h"
 #include "words.h"
 
@@ -15,29 +16,6 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 double milliseconds(double value) {
     return std::round(value * 1000.0) / 1000.0;
-}
-
-/// What a light costs: expected fragments before the depth test, and bytes on the device.
-struct Cost {
-    double fragments = 0.0;
-    std::uint64_t geometryBytes = 0;
-    std::uint64_t shadowMapBytes = 0;
-};
-
-Cost costOf(const PlannedScene& planned, const Plan& plan, const ViewOptions& view, const ShaftOptions& shafts,
-            std::size_t light) {
-    Cost cost;
-    const PlannedLight& entry = plan.lights[light];
-    if (!entry.drawn) return cost;
-    for (const PlannedPart& part : plan.parts)
-        if (part.light == light)
-            cost.fragments += expectedFragments(plan, part, planned.view, view.size.width, view.size.height);
-    // A fan of n corners has n - 2 triangles: vertices are a third of the indices, and two for each slice.
-    const std::uint64_t vertices = entry.indexCount / 3 + 2 * static_cast<std::uint64_t>(entry.slices);
-    cost.geometryBytes =
-        vertices * sizeof(SliceVertex) + entry.indexCount * sizeof(std::uint32_t) + sizeof(SliceConstants);
-    if (entry.shadow) cost.shadowMapBytes = std::uint64_t{shafts.shadowSize} * shafts.shadowSize * sizeof(float);
-    return cost;
 }
 
 std::string count(double number) {
@@ -59,6 +37,37 @@ std::string slicesText(const ShaftOptions& shafts) {
                : fmt::format("up to {} slices a light", shafts.mostSlices.value_or(defaultMostSlices));
 }
 
+struct Costs {
+    std::vector<LightCost> planned, forced;  ///< by light; forced is empty where there would be too many slices
+};
+
+Costs costsOf(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+    Costs costs{lightCosts(planned.plan, planned.view, view.size, shafts.shadowSize), {}};
+    if (const Outcome<Plan> everything = planEverything(planned, view))
+        costs.forced = lightCosts(*everything, planned.view, view.size, shafts.shadowSize);
+    return costs;
+}
+
+/// Shadow maps that surfaces call for and slices do not.
+std::size_t mapsForSurfacesAlone(const PlannedScene& planned, const ViewOptions& view) {
+    if (view.layer != Layer::All) return 0;
+    std::size_t maps = 0;
+    for (std::size_t i = 0; i < planned.surfaceLights.size(); ++i) {
+        const PlannedLight& light = planned.plan.lights[i];
+        maps += planned.surfaceLights[i].shadowMap && !(light.drawn && light.shadow);
+    }
+    return maps;
+}
+
+std::string cost(const LightCost& cost) {
+    return fmt::format("{} fragments, {} of geometry{}", count(cost.fragments), bytes(cost.geometryBytes),
+                       cost.shadowMapBytes > 0 ? fmt::format(", {} of shadow map", bytes(cost.shadowMapBytes)) : "");
+}
+
+nlohmann::ordered_json bytesReport(const LightCost& cost, std::string_view shadowMaps) {
+    return {{"geometry", cost.geometryBytes}, {shadowMaps, cost.shadowMapBytes}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
@@ -77,16 +86,19 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
     report["depthKnown"] = planned.depth.has_value();
     report["forceAll"] = shafts.everything;
     report["lights"] = nlohmann::ordered_json::array();
-    const Outcome<Plan> everything = planEverything(planned, view);
+    const Costs costs = costsOf(planned, view, shafts);
     int slices = 0;
     std::size_t drawn = 0, shadowMaps = 0;
-    Cost total, forcedTotal;
     for (std::size_t i = 0; i < planned.plan.lights.size(); ++i) {
         const PlannedLight& light = planned.plan.lights[i];
-        const Cost cost = costOf(planned, planned.plan, view, shafts, i);
-        const Cost forced = everything ? costOf(planned, *everything, view, shafts, i) : Cost{};
+        const Light& source = planned.lights[i];
         nlohmann::ordered_json entry;
-        entry["name"] = planned.lights[i].name;
+        entry["name"] = source.name;
+        entry["intensity"] = source.intensity;
+        entry["degrees"] = {source.fov.x / degree, source.fov.y / degree};
+        entry["near"] = source.nearPlane;
+        entry["far"] = source.farPlane;
+        entry["density"] = source.density;
         entry["drawn"] = light.drawn;
         entry["reason"] = reason(light, planned.view);
         if (light.drawn) {
@@ -94,46 +106,46 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
             entry["noise"] = light.noise;
             entry["shadow"] = light.shadow;
             entry["cookie"] = light.cookie;
-            entry["saved"] = savings(light);
+            entry["saved"] = shafts.everything ? std::vector<std::string>{} : savings(light);
             entry["slices"] = light.slices;
             entry["nearDepth"] = light.nearDepth;
             entry["farDepth"] = light.farDepth;
             entry["axis"] = {light.seenNear, light.seenFar};
             if (std::isfinite(light.brightest)) entry["brightest"] = light.brightest;
             entry["parts"] = nlohmann::ordered_json::array();
-            for (const PlannedPart& part : planned.plan.parts)
-                if (part.light == i)
-                    entry["parts"].push_back(
-                        {{"technique", part.technique},
-                         {"slices", part.slices},
-                         {"triangles", part.indexCount / 3},
-                         {"expectedFragments", std::round(expectedFragments(planned.plan, part, planned.view,
-                                                                            view.size.width, view.size.height))}});
             slices += light.slices;
             ++drawn;
             shadowMaps += light.shadow;
         }
-        entry["expectedFragments"] = std::round(cost.fragments);
-        entry["expectedFragmentsForced"] = std::round(forced.fragments);
-        entry["bytes"] = {{"geometry", cost.geometryBytes}, {"shadowMap", cost.shadowMapBytes}};
-        total.fragments += cost.fragments;
-        forcedTotal.fragments += forced.fragments;
-        total.geometryBytes += cost.geometryBytes;
-        forcedTotal.geometryBytes += forced.geometryBytes;
-        total.shadowMapBytes += cost.shadowMapBytes;
+        entry["expectedFragments"] = std::round(costs.planned[i].fragments);
+        entry["bytes"] = bytesReport(costs.planned[i], "shadowMap");
+        if (!costs.forced.empty()) {
+            entry["expectedFragmentsForced"] = std::round(costs.forced[i].fragments);
+            entry["bytesForced"] = bytesReport(costs.forced[i], "shadowMap");
+        }
         report["lights"].push_back(std::move(entry));
+    }
+    for (const PlannedPart& part : planned.plan.parts) {
+        auto& parts = report["lights"][part.light]["parts"];
+        parts.push_back({{"technique", part.technique},
+                         {"slices", part.slices},
+                         {"triangles", part.indexCount / 3},
+                         {"expectedFragments", std::round(costs.planned[part.light].parts[parts.size()])}});
     }
     for (const IgnoredLight& ignored : planned.scene.ignoredLights)
         report["lights"].push_back({{"name", ignored.name}, {"drawn", false}, {"reason", ignored.reason}});
     report["drawn"] = drawn;
     report["slices"] = slices;
     report["shadowMaps"] = shadowMaps;
+    report["shadowMapsForSurfacesAlone"] = mapsForSurfacesAlone(planned, view);
+    const LightCost total = sum(costs.planned);
     report["expectedFragments"] = std::round(total.fragments);
-    report["expectedFragmentsForced"] = std::round(forcedTotal.fragments);
-    report["bytes"] = {{"geometry", total.geometryBytes}, {"shadowMaps", total.shadowMapBytes}};
-    report["bytesForced"] = {
-        {"geometry", forcedTotal.geometryBytes},
-        {"shadowMaps", planned.lights.size() * std::uint64_t{shafts.shadowSize} * shafts.shadowSize * sizeof(float)}};
+    report["bytes"] = bytesReport(total, "shadowMaps");
+    if (!costs.forced.empty()) {
+        const LightCost forced = sum(costs.forced);
+        report["expectedFragmentsForced"] = std::round(forced.fragments);
+        report["bytesForced"] = bytesReport(forced, "shadowMaps");
+    }
     report["warnings"] = planned.scene.warnings;
     return report;
 }
@@ -171,45 +183,45 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
                     view.size.width, view.size.height, view.time, slicesText(shafts),
                     wordFor(geometryWords, shafts.geometry), wordFor(accumulationWords, shafts.accumulation));
     if (!planned.depth) text += "planned without the scene's depth: nothing counts as hidden by a surface\n";
-    const Outcome<Plan> everything = planEverything(planned, view);
-    double fragments = 0.0, forced = 0.0;
+    const Costs costs = costsOf(planned, view, shafts);
+    std::vector<std::vector<const PlannedPart*>> parts(planned.plan.lights.size());
+    for (const PlannedPart& part : planned.plan.parts) parts[part.light].push_back(&part);
     std::size_t drawn = 0, maps = 0;
     for (std::size_t i = 0; i < planned.plan.lights.size(); ++i) {
         const PlannedLight& light = planned.plan.lights[i];
         const Light& source = planned.lights[i];
-        const Cost cost = costOf(planned, planned.plan, view, shafts, i);
-        const Cost whole = everything ? costOf(planned, *everything, view, shafts, i) : Cost{};
-        fragments += cost.fragments;
-        forced += whole.fragments;
         text +=
             fmt::format("\nlight \"{}\": {}\n  {:g} cd, {:g} x {:g} degrees, from {:g} to {:g} m, density {:g} /m\n",
                         source.name, light.drawn ? "drawn" : "not drawn", source.intensity, source.fov.x / degree,
                         source.fov.y / degree, source.nearPlane, source.farPlane, source.density);
         text += fmt::format("  {}\n", reason(light, planned.view));
-        if (!light.drawn) {
-            if (whole.fragments > 0.0) text += fmt::format("  saved: {} fragments\n", count(whole.fragments));
-            continue;
+        if (light.drawn) {
+            ++drawn;
+            maps += light.shadow;
+            if (!shafts.everything)
+                for (const std::string& saving : savings(light)) text += fmt::format("  {}\n", saving);
+            for (std::size_t k = 0; k < parts[i].size(); ++k)
+                text += fmt::format("  {}: {} slices, about {} fragments\n", parts[i][k]->technique,
+                                    parts[i][k]->slices, count(costs.planned[i].parts[k]));
+            text += fmt::format("  its volume spans {:.4g} to {:.4g} m before the eye, drawn in {} slabs{}\n",
+                                light.nearDepth, light.farDepth, light.slices,
+                                light.divided ? ", whose slices both techniques may share" : "");
+            text += fmt::format("  costs {}\n", cost(costs.planned[i]));
         }
-        ++drawn;
-        maps += light.shadow;
-        for (const std::string& saving : savings(light)) text += fmt::format("  {}\n", saving);
-        for (const PlannedPart& part : planned.plan.parts)
-            if (part.light == i)
-                text += fmt::format(
-                    "  {}: {} slices, about {} fragments\n", part.technique, part.slices,
-                    count(expectedFragments(planned.plan, part, planned.view, view.size.width, view.size.height)));
-        text += fmt::format("  its volume spans {:.4g} to {:.4g} m before the eye\n", light.nearDepth, light.farDepth);
-        text += fmt::format(
-            "  {} of vertices, indices and constants{}; forced: {} fragments\n", bytes(cost.geometryBytes),
-            light.shadow ? fmt::format(", {} of shadow map", bytes(cost.shadowMapBytes)) : "", count(whole.fragments));
+        if (!shafts.everything && !costs.forced.empty() && costs.forced[i].fragments > 0.0)
+            text += fmt::format("  forced, it would cost {}\n", cost(costs.forced[i]));
     }
     for (const IgnoredLight& ignored : planned.scene.ignoredLights)
         text += fmt::format("\n{}: not drawn\n  {}\n", ignored.name, ignored.reason);
-    text += fmt::format(
-        "\n{} of {} lights drawn with about {} fragments, {} with a shadow map; forced: all with the full technique, "
-        "{} "
-        "fragments\n",
-        drawn, planned.lights.size(), count(fragments), maps, count(forced));
+    text += fmt::format("\n{} of {} lights drawn, {} with a shadow map: about {}\n", drawn, planned.lights.size(), maps,
+                        cost(sum(costs.planned)));
+    if (const std::size_t more = mapsForSurfacesAlone(planned, view); more > 0)
+        text += fmt::format("{} more shadow map{} for surfaces alone\n", more, more == 1 ? "" : "s");
+    if (costs.forced.empty())
+        text += "forced: more slices than one plan may hold\n";
+    else if (!shafts.everything)
+        text +=
+            fmt::format("forced, with the full technique and nothing left out: about {}\n", cost(sum(costs.forced)));
     for (const std::string& warning : planned.scene.warnings) text += fmt::format("\nwarning: {}\n", warning);
     return text;
 }

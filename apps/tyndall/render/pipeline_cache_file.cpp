@@ -81,8 +81,7 @@ PipelineCacheFile PipelineCacheFile::open(const headless::Device& device, const 
     auto bytes = readFile(file.path_);
     file.ours_ = bytes && isSealedPipelineCache(*bytes);
     if (!file.ours_) {
-        notes.push_back(note(file.path_, fmt::format("{}; it is left alone: remove it, or name another file with "
-                                                     "--pipeline-cache",
+        notes.push_back(note(file.path_, fmt::format("{}; it is left alone: name another file with --pipeline-cache",
                                                      bytes ? "is no pipeline cache of this program" : bytes.error())));
         file.create({}, notes);
         return file;

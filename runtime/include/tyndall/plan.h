@@ -43,9 +43,9 @@ enum class Look {
 enum class Spacing {
     Even,      ///< as many as asked for, equally thick over the depths that the light's volume spans
     Adaptive,  ///< as many as needed: a slab's thickness grows with its distance from the lamp, as do a cookie's
-               ///< and a shadow map's texels, and is never below a few pixels. They are counted from the lamp's own
-               ///< depth, and the outermost end where the volume does: so nothing steps as eye or light move.
-               ///< Look::Article, whose constants belong to equal slabs, keeps Even
+               ///< and a shadow map's texels, down to a pixel, or less in a narrow beam. They are counted from the
+               ///< lamp's own depth, and the outermost end where the volume does: so nothing steps as eye or light
+               ///< move. Look::Article, whose constants belong to equal slabs, keeps Even
 };
 
 struct PlanOptions {
@@ -101,7 +101,8 @@ enum class TermVerdict : std::uint8_t {
     Invisible,   ///< cookie, noise: differs by less than the display shows; its mean takes its place
 };
 
-/// One light's part of the plan. Where `drawn` is false, everything from `slices` on is zero.
+/// What becomes of one light. Where `drawn` is false it has no slices and no part, and the rest is what was known
+/// when the verdict fell.
 struct PlannedLight {
     std::size_t light = 0;  ///< index into the lights that were given
     bool drawn = false;     ///< false: it adds nothing to this view
@@ -116,18 +117,18 @@ struct PlannedLight {
     double nearDepth = 0.0, farDepth = 0.0;        ///< metres of view depth that the volume's slabs span, drawn or not
     double volumeNear = 0.0, volumeFar = 0.0;      ///< metres along the light's axis: all that its planes leave
     double seenNear = 0.0, seenFar = 0.0;          ///< of that, what the view can see
-    double firstOccluder = 0.0;                    ///< metres along the axis. volumeFar or more: there is none
+    double firstOccluder = 0.0;                    ///< where `shadow`: metres along the axis before which none stands
     bool divided = false;                          ///< some of its slices are drawn without shadow
     std::uint32_t firstWall = 0, walls = 0;        ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
-    std::uint32_t constants = 0;                   ///< into Plan::constants
 };
 
 /// One draw: some of a light's indices with one technique.
 struct PlannedPart {
-    std::uint32_t light = 0;  ///< into Plan::lights
-    std::uint32_t group = 0;  ///< into Plan::groups
+    std::uint32_t light = 0;      ///< into Plan::lights
+    std::uint32_t group = 0;      ///< into Plan::groups
+    std::uint32_t constants = 0;  ///< into Plan::constants
     std::string_view technique;
     bool noise = false, shadow = false, cookie = false;  ///< the technique's switches
     std::uint32_t firstIndex = 0, indexCount = 0;        ///< into Plan::indices
@@ -149,7 +150,7 @@ struct Plan {
     double scale = 1.0;  ///< target value = radiance * scale; compositing divides by it
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;     ///< triangle list into `vertices`
-    std::vector<SliceConstants> constants;  ///< one for each light that is drawn
+    std::vector<SliceConstants> constants;  ///< the uniform blocks, which parts of a light may share
     std::vector<glm::dvec4> walls;     ///< view space, keep dot(n, p) + d >= 0: behind one, no light of that lamp comes
     std::vector<PlannedLight> lights;  ///< one for each light given, in their order
     std::vector<PlannedPart> parts;    ///< by group, and within it by technique, so that pipelines change least
