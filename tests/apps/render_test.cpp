@@ -177,6 +177,10 @@ TEST(Render, StatisticsSayWhatWasDrawn) {
     EXPECT_LT(report["fragmentInvocations"], 12 * 64 * 64 * 2);
     EXPECT_GT(report["memory"]["deviceBytes"], 64 * 64 * 16);
     EXPECT_EQ(report["shadowMapsDrawn"], 0);
+    // What is uploaded but for textures is the plan's geometry, and the composite's constants, which are few.
+    const std::uint64_t uploaded = report["memory"]["bytesUploaded"], geometry = report["bytes"]["geometry"];
+    EXPECT_GE(uploaded, geometry);
+    EXPECT_LE(uploaded, geometry + 256);
     for (const char* pass : {"surfaces", "accumulate", "composite"})
         EXPECT_GT(report["milliseconds"][pass], 0.0) << pass;
 }
