@@ -48,6 +48,16 @@ void widen(Shade& shade, const Points& points, double margin) {
     }
 }
 
+// Whether the triangle lies in the shade already: then so does whatever is cut from it, whose slopes are between its
+// corners'.
+bool within(const Shade& shade, const std::array<glm::dvec3, 3>& triangle, double margin) {
+    return std::all_of(triangle.begin(), triangle.end(), [&](const glm::dvec3& p) {
+        const double w = -p.z;
+        return w > 0.0 && w - margin >= shade.axis && glm::all(glm::lessThanEqual(shade.least * w, glm::dvec2(p))) &&
+               glm::all(glm::lessThanEqual(glm::dvec2(p), shade.most * w));
+    });
+}
+
 Shade shadeOf(const ConvexPolyhedron& solid, double margin, const glm::dvec2& texel) {
     Shade shade = emptyShade;
     widen(shade, solid.vertices, margin);
@@ -160,13 +170,15 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         Shade shade = shadeOf(solid, margin, texel);
         if (!occluder.box.triangles.empty()) {
             // The box is met; are its triangles?
+            // Relative to the lamp first: far from the world's origin, its sums have lost their digits.
             const glm::dmat4& worldFromBox = occluder.box.worldFromBox;
+            const glm::dmat3 turn = lightFromWorld * glm::dmat3(worldFromBox);
+            const glm::dvec3 shift = lightFromWorld * (glm::dvec3(worldFromBox[3]) - lamp);
             shade = emptyShade;
             for (const std::array<glm::vec3, 3>& triangle : occluder.box.triangles) {
                 std::array<glm::dvec3, 3> inLight;
-                for (std::size_t i = 0; i < 3; ++i)
-                    inLight[i] =
-                        lightFromWorld * (glm::dvec3(worldFromBox * glm::dvec4(glm::dvec3(triangle[i]), 1.0)) - lamp);
+                for (std::size_t i = 0; i < 3; ++i) inLight[i] = turn * glm::dvec3(triangle[i]) + shift;
+                if (within(shade, inLight, margin)) continue;
                 widen(shade, clipped(inLight, planes), margin);
             }
             if (!(shade.axis < unbounded)) continue;
