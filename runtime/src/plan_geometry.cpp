@@ -154,15 +154,25 @@ InlineVector<SlicePolygon, 24> cutApart(const SlicePolygon& whole, const Partiti
     return pieces;
 }
 
-// Of the light whose constants were the last to be appended.
-void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex, int slices, bool shadow) {
+// With the light's fullest technique, and the constants that were the last to be appended.
+PlannedPart partOf(const Plan& plan, const PlannedLight& light) {
     PlannedPart part;
     part.light = static_cast<std::uint32_t>(light.light);
     part.constants = static_cast<std::uint32_t>(plan.constants.size() - 1);
+    part.technique = light.technique;
     part.noise = light.noise;
-    part.shadow = light.shadow && shadow;
+    part.shadow = light.shadow;
     part.cookie = light.cookie;
-    part.technique = shadow ? light.technique : techniqueName(part.noise, false, part.cookie);
+    return part;
+}
+
+// All indices from `firstIndex` on.
+void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex, int slices, bool shadow) {
+    PlannedPart part = partOf(plan, light);
+    if (!shadow) {
+        part.shadow = false;
+        part.technique = techniqueName(part.noise, false, part.cookie);
+    }
     part.firstIndex = firstIndex;
     part.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - firstIndex;
     part.slices = slices;
@@ -259,13 +269,7 @@ void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, co
     light.slices = range.end - range.first;
     light.firstIndex = start;
     light.indexCount = perQuad * static_cast<std::uint32_t>(light.slices);
-    PlannedPart part;
-    part.light = static_cast<std::uint32_t>(light.light);
-    part.constants = static_cast<std::uint32_t>(plan.constants.size() - 1);
-    part.technique = light.technique;
-    part.noise = light.noise;
-    part.shadow = light.shadow;
-    part.cookie = light.cookie;
+    PlannedPart part = partOf(plan, light);
     part.firstIndex = light.firstIndex;
     part.indexCount = light.indexCount;
     part.slices = light.slices;
