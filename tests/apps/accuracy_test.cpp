@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include "must.h"
+
 namespace tyndall::test {
 namespace {
 
@@ -22,12 +24,6 @@ ViewOptions sampleView() {
     view.size = {width, height};
     view.layer = Layer::Shafts;
     return view;
-}
-
-template <class T>
-T must(Outcome<T> outcome) {
-    if (!outcome) throw std::runtime_error(outcome.error());
-    return std::move(*outcome);
 }
 
 study::FloatImage rendered(const headless::Device& device, const std::string& technique, int slices) {

@@ -4,8 +4,6 @@
 // out of the middle of such a picture.
 #include <gtest/gtest.h>
 #include <headless/device.h>
-#include <tyndall/image/srgb.h>
-#include <tyndall/image/tone_map.h>
 #include <tyndall/plan/plan_scene.h>
 #include <tyndall/reference/reference_scene.h>
 #include <tyndall/render/scene_renderer.h>
@@ -14,7 +12,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "displayed.h"
 #include "glb.h"
+#include "must.h"
 
 namespace tyndall::test {
 namespace {
@@ -23,12 +23,6 @@ using namespace tyndall::app;
 
 constexpr int frames = 200;
 constexpr double displayStep = 1.0 / 512.0;  // of the display's range
-
-template <class T>
-T must(Outcome<T> outcome) {
-    if (!outcome) throw std::runtime_error(outcome.error());
-    return std::move(*outcome);
-}
 
 struct Motion {
     std::string name;
@@ -51,8 +45,7 @@ Shown shownOf(const Pixels& pixels, double exposure) {
     Shown shown;
     for (const auto& pixel : pixels) {
         glm::dvec3& p = shown.emplace_back();
-        for (int c = 0; c < 3; ++c)
-            p[c] = srgbFromLinear(static_cast<float>(toneMap(static_cast<double>(pixel[c]), exposure)));
+        for (int c = 0; c < 3; ++c) p[c] = displayed(static_cast<double>(pixel[c]), exposure);
     }
     return shown;
 }

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <headless/device.h>
-#include <tyndall/image/srgb.h>
 #include <tyndall/image/tone_map.h>
 #include <tyndall/plan/plan_scene.h>
 #include <tyndall/render/scene_renderer.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
+
+#include "displayed.h"
+#include "must.h"
 
 namespace tyndall::test {
 namespace {
@@ -18,12 +20,6 @@ using namespace tyndall::app;
 
 constexpr int cameras = 20;
 constexpr Size size{64, 36};
-
-template <class T>
-T must(Outcome<T> outcome) {
-    if (!outcome) throw std::runtime_error(outcome.error());
-    return std::move(*outcome);
-}
 
 class Cameras {
 public:
@@ -60,10 +56,6 @@ private:
     std::mt19937 random_;
     int count_ = 0;
 };
-
-double displayed(float radiance, double exposure) {
-    return srgbFromLinear(static_cast<float>(toneMap(radiance, exposure)));
-}
 
 /// Of what the display shows, in its range.
 struct Difference {

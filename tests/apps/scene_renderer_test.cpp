@@ -8,16 +8,12 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "must.h"
+
 namespace tyndall::test {
 namespace {
 
 using namespace tyndall::app;
-
-template <class T>
-T must(Outcome<T> outcome) {
-    if (!outcome) throw std::runtime_error(outcome.error());
-    return std::move(*outcome);
-}
 
 /// The theatre: many lights, shared cookies, noise, textures on surfaces.
 class SceneRendererTest : public testing::Test {

@@ -3,14 +3,12 @@
 #include <benchmark/benchmark.h>
 #include <headless/commands.h>
 #include <headless/device.h>
-#include <headless/image.h>
 #include <tyndall/explain.h>
-#include <tyndall/renderer.h>
 #include <vulkan/vulkan.h>
 
 #include <algorithm>
 
-#include "city.h"
+#include "city_frame.h"
 
 namespace {
 
@@ -42,10 +40,7 @@ const Result<headless::Device>& theDevice() {
     return device;
 }
 
-headless::Image target(const headless::Device& device, VkFormat format, VkImageUsageFlags usage) {
-    auto image = headless::Image::create(device, {.extent = {1920, 1080}, .format = format, .usage = usage});
-    return image ? std::move(*image) : headless::Image();
-}
+constexpr VkExtent2D fullHd{1920, 1080};
 
 /// One that can be recorded again and again.
 struct CommandBuffer {
@@ -81,24 +76,14 @@ void recordCity(benchmark::State& state) {
     const auto& device = theDevice();
     if (!plan) return state.SkipWithError(plan.error().message.c_str());
     if (!device) return state.SkipWithError(device.error().message.c_str());
-    auto renderer = Renderer::create({device->physicalDevice(), device->device()});
-    if (!renderer) return state.SkipWithError(renderer.error().message.c_str());
-    const auto sum = target(*device, accumulationFormat(plan->accumulation),
-                            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
-    const auto colour = target(*device, VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-    const ShaftTargets targets{.extent = {1920, 1080},
-                               .accumulation = sum.handle(),
-                               .accumulationView = sum.view(),
-                               .colour = colour.view(),
-                               .colourFormat = VK_FORMAT_R32G32B32A32_SFLOAT};
-    const std::vector<LightTextures> textures(city.lights.size());
-    FrameData frame;
+    auto frame = bench::cityFrame(*device, city, fullHd);
+    if (!frame) return state.SkipWithError(frame.error().message.c_str());
     const CommandBuffer commands(*device);
     // Recorded and thrown away: what the GPU would do with it is another matter.
     for (auto _ : state) {
         commands.begin();
-        auto done = renderer->upload(frame, *plan);
-        if (done) done = renderer->record(commands.handle, frame, *plan, textures, targets);
+        auto done = frame->renderer.upload(frame->data, *plan);
+        if (done) done = frame->renderer.record(commands.handle, frame->data, *plan, frame->textures, frame->targets);
         if (!done) return state.SkipWithError(done.error().message.c_str());
     }
     perLight(state, city.lights.size(), *plan);
@@ -113,27 +98,18 @@ void drawCity(benchmark::State& state, bool everything) {
     const auto& device = theDevice();
     if (!plan) return state.SkipWithError(plan.error().message.c_str());
     if (!device) return state.SkipWithError(device.error().message.c_str());
-    auto renderer = Renderer::create({device->physicalDevice(), device->device()});
-    if (!renderer) return state.SkipWithError(renderer.error().message.c_str());
+    auto frame = bench::cityFrame(*device, city, fullHd);
+    if (!frame) return state.SkipWithError(frame.error().message.c_str());
     state.SetLabel(std::string(device->name()));
-    const auto sum = target(*device, accumulationFormat(plan->accumulation),
-                            VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
-    const auto colour = target(*device, VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-    const ShaftTargets targets{.extent = {1920, 1080},
-                               .accumulation = sum.handle(),
-                               .accumulationView = sum.view(),
-                               .colour = colour.view(),
-                               .colourFormat = VK_FORMAT_R32G32B32A32_SFLOAT};
-    const std::vector<LightTextures> textures(city.lights.size());
-    FrameData frame;
     double fragments = 0.0;
-    for (const PlannedPart& part : plan->parts) fragments += expectedFragments(*plan, part, city.view, 1920, 1080);
+    for (const PlannedPart& part : plan->parts)
+        fragments += expectedFragments(*plan, part, city.view, fullHd.width, fullHd.height);
     for (auto _ : state) {
-        auto time = renderer->upload(frame, *plan).and_then([&] {
+        auto time = frame->renderer.upload(frame->data, *plan).and_then([&] {
             return headless::submitAndWait(*device, [&](VkCommandBuffer commands) -> Result<void> {
-                headless::transition(commands, colour, VK_IMAGE_LAYOUT_UNDEFINED,
+                headless::transition(commands, frame->colour, VK_IMAGE_LAYOUT_UNDEFINED,
                                      VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-                return renderer->record(commands, frame, *plan, textures, targets);
+                return frame->renderer.record(commands, frame->data, *plan, frame->textures, frame->targets);
             });
         });
         if (!time) return state.SkipWithError(time.error().message.c_str());

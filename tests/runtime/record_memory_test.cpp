@@ -1,20 +1,12 @@
 // A Planner and a Renderer that have drawn such frames before allocate nothing on drawing the next.
 #include <gtest/gtest.h>
 #include <headless/commands.h>
-#include <headless/image.h>
-#include <tyndall/renderer.h>
 
-#include "../bench/city.h"
+#include "../bench/city_frame.h"
 #include "allocations.h"
 
 namespace tyndall::test {
 namespace {
-
-headless::Image image(const headless::Device& device, VkFormat format, VkImageUsageFlags usage) {
-    auto made = headless::Image::create(device, {.extent = {64, 36}, .format = format, .usage = usage});
-    EXPECT_TRUE(made.has_value());
-    return std::move(*made);
-}
 
 TEST(RecordMemory, IsNotAllocatedInTheSteadyState) {
     bench::City city = bench::city(400);
@@ -23,18 +15,8 @@ TEST(RecordMemory, IsNotAllocatedInTheSteadyState) {
     // Without the validation layers, which allocate as they please.
     auto device = headless::Device::create();
     ASSERT_TRUE(device.has_value());
-    auto renderer = Renderer::create({device->physicalDevice(), device->device()});
-    ASSERT_TRUE(renderer.has_value());
-    const auto sum = image(*device, accumulationFormat(plan.accumulation = city.options.accumulation),
-                           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
-    const auto colour = image(*device, VK_FORMAT_R32G32B32A32_SFLOAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-    const ShaftTargets targets{.extent = {64, 36},
-                               .accumulation = sum.handle(),
-                               .accumulationView = sum.view(),
-                               .colour = colour.view(),
-                               .colourFormat = VK_FORMAT_R32G32B32A32_SFLOAT};
-    const std::vector<LightTextures> textures(city.lights.size());
-    FrameData frame;
+    auto frame = bench::cityFrame(*device, city, {64, 36});
+    ASSERT_TRUE(frame.has_value());
     std::size_t parts = 0;
     const auto draw = [&](int step) {
         city.view.worldFromView[3].z = -0.05 * step;
@@ -42,8 +24,8 @@ TEST(RecordMemory, IsNotAllocatedInTheSteadyState) {
         const std::function<Result<void>(VkCommandBuffer)> record = [&](VkCommandBuffer commands) -> Result<void> {
             const std::size_t before = allocations();
             Result<void> done = planner.plan(city.lights, city.view, city.options, city.surroundings(), plan);
-            if (done) done = renderer->upload(frame, plan);
-            if (done) done = renderer->record(commands, frame, plan, textures, targets);
+            if (done) done = frame->renderer.upload(frame->data, plan);
+            if (done) done = frame->renderer.record(commands, frame->data, plan, frame->textures, frame->targets);
             during = allocations() - before;
             return done;
         };

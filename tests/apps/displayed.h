@@ -1,0 +1,14 @@
+// What a display shows.
+#pragma once
+
+#include <tyndall/image/srgb.h>
+#include <tyndall/image/tone_map.h>
+
+namespace tyndall::test {
+
+/// Of a channel's radiance, in the display's range.
+inline double displayed(double radiance, double exposureStops) {
+    return app::srgbFromLinear(static_cast<float>(app::toneMap(radiance, exposureStops)));
+}
+
+}  // namespace tyndall::test
