@@ -2,6 +2,8 @@
 #include <limits>
 
 #include "needs/brightness.h"
+#include "shape/attenuation.h"
+#include "shape/light_shape.h"
 #include "visibility/pixel_size.h"
 #include "plan_stages.h"
 
@@ -27,7 +29,7 @@ TermVerdict verdictOf(bool asked, const PlanContext& context, bool Terms::*term)
 }
 
 bool uniform(const FactorRange& range) {
-    return range.least == range.most;
+    return range.min == range.max;
 }
 
 double strongest(const glm::dvec3& v) {
@@ -38,8 +40,7 @@ double strongest(const glm::dvec3& v) {
 // or slabs would jump when what is seen of a cookie turns out uniform.
 double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions& options) {
     double detail = std::numeric_limits<double>::infinity();
-    const glm::dvec2 field = 2.0 * glm::tan(0.5 * light.fov);
-    const double width = std::min(field.x, field.y);
+    const double width = narrowness(shapeOf(light));
     if (light.cookie) detail = std::min(detail, width * (survey.cookie ? survey.cookie->detail : 1.0 / 64.0));
     if (light.noise) {
         const double repeats = std::max({1.0, std::fabs(light.noise->scale.x), std::fabs(light.noise->scale.y)});
@@ -59,7 +60,7 @@ double snapping(const View& view, const PlanOptions& options, double farthest) {
 // Metres of air at the lamp's end whose light is half a display step.
 double visibleSlab(const Light& light, const PlanOptions& options) {
     const double perMetre = light.density * strongest(light.colour) / (4.0 * 3.14159265358979) *
-                            (light.intensity / (light.nearPlane * light.nearPlane) + light.ambient);
+                            maxAttenuation(light);
     return perMetre > 0.0 ? 0.5 * options.displayStep / perMetre : 0.0;
 }
 
@@ -81,7 +82,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.cookieVerdict = verdictOf(light.cookie, context, &Terms::cookie);
 
     // Behind a wall there is no light only where shadows are drawn. Quads have no clip distance to spare for them.
-    InlineVector<glm::dvec4, mostWalls> walls;
+    InlineVector<glm::dvec4, maxWalls> walls;
     if (light.shadow && planned.shadowVerdict != TermVerdict::Overruled && options.geometry == Geometry::ExactPolygons)
         walls = wallsOf(light, view, pose, surroundings.blockers, blockers, options.shadowMapSize, scratch.walls);
     ConvexPolyhedron seen;
@@ -95,12 +96,11 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     if (planned.verdict != Verdict::Drawn && !(whole && hasDepth)) return false;
     planned.volumeNear = volume.axisNear;
     planned.volumeFar = volume.axisFar;
-    planned.walls = static_cast<std::uint32_t>(volume.walls);
+    planned.walls = static_cast<std::uint32_t>(volume.walls.size());
     const double moved = snapping(view, options, std::min(volume.farLit, volume.farShown));
-    for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
-        volume.planes[i].w += moved;
+    for (glm::dvec4& wall : volume.walls) wall.w += moved;
 
-    if (planned.verdict == Verdict::Drawn) candidate.air = seenAir(seen, view, pose, surroundings.depth);
+    if (planned.verdict == Verdict::Drawn) candidate.air = seenAir(seen, shapeOf(light), view, pose, surroundings.depth);
     const SeenAir& air = candidate.air;
     if (!air.any && !whole) planned.verdict = Verdict::BehindTiles;
     if (planned.verdict != Verdict::Drawn && !whole) return false;
@@ -128,7 +128,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
 
     candidate.shadowBias = std::max(options.shadowBias, mapErrorAt({walls.data(), walls.size()}, light, pose,
                                                                    volume.axisLit, options.shadowMapSize));
-    candidate.shadow = {false, light.nearPlane, light.nearPlane, {}, {}};
+    candidate.shadow = {false, light.nearPlane, light.nearPlane, {}};
     if (light.shadow && !technique && air.any && surroundings.occluders) {
         candidate.shadow = shadowNeed(light, pose, air, {walls.data(), walls.size()}, occluders, options.shadowMapSize,
                                       scratch.shades);

@@ -45,7 +45,7 @@ struct PlanContext {
 /// Working memory of consider().
 struct ConsiderScratch {
     WallScratch walls;
-    std::vector<Shade> shades;
+    std::vector<OccluderShadow> shades;
 };
 
 /// Fills `planned`, and `candidate` where it returns true. False: the verdict says why the light is not drawn.

@@ -24,7 +24,7 @@ struct Faint {
         candidate.noise = noise;
         PlannedLight light;
         light.light = lights.size();
-        light.brightest = base * std::max({cookie.most.x, cookie.most.y, cookie.most.z}) * noise.most.x;
+        light.brightest = base * std::max({cookie.max.x, cookie.max.y, cookie.max.z}) * noise.max.x;
         light.cookie = cookie.spread() > 0.0;
         light.noise = noise.spread() > 0.0;
         light.cookieVerdict = light.cookie ? TermVerdict::Drawn : TermVerdict::NotAsked;
@@ -61,7 +61,7 @@ TEST(Omissions, StayUnderAQuarterStepTogether) {
             const PlannedLight& light = faint.lights[i];
             const Candidate& candidate = faint.candidates[i];
             if (light.verdict == Verdict::TooFaint) {
-                error += candidate.base * candidate.cookie.most.x * candidate.noise.most.x;
+                error += candidate.base * candidate.cookie.max.x * candidate.noise.max.x;
                 ++lightsOut;
                 continue;
             }
@@ -70,8 +70,8 @@ TEST(Omissions, StayUnderAQuarterStepTogether) {
             cookiesOut += cookie >= 0.0;
             noiseOut += noise >= 0.0;
             double worst = 0.0;
-            for (const double c : {candidate.cookie.least.x, candidate.cookie.most.x})
-                for (const double n : {candidate.noise.least.x, candidate.noise.most.x})
+            for (const double c : {candidate.cookie.min.x, candidate.cookie.max.x})
+                for (const double n : {candidate.noise.min.x, candidate.noise.max.x})
                     worst = std::max(worst, std::fabs(c * n - (cookie < 0.0 ? c : cookie) * (noise < 0.0 ? n : noise)));
             error += candidate.base * worst;
         }
