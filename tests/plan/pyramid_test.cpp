@@ -94,7 +94,8 @@ TEST(Pyramid, KeepsExactlyThePointsWithinSlopesAndEnds) {
             });
             EXPECT_EQ(inPlanes, within && axis >= light.nearPlane && axis <= light.farPlane);
             EXPECT_EQ(holds(pyramid, slopes, point), within);
-            EXPECT_FALSE(holds(pyramid, slopes, -point)) << "behind the lamp";
+            const SlopeRange itself{glm::dvec2(point) / axis, glm::dvec2(point) / axis};
+            EXPECT_FALSE(holds(pyramid, itself, -axis * glm::dvec3(itself.min, -1.0))) << "behind the lamp";
             kept += inPlanes;
         }
     }
