@@ -1,6 +1,7 @@
 #include <tyndall/plan.h>
 
 #include "check/plan_check.h"
+#include "geometry/capacity.h"
 #include "geometry/plan_geometry.h"
 #include "plan_groups.h"
 #include "plan_stages.h"
@@ -89,7 +90,7 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
         plan.constants.push_back(constants);
         planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
         const LightVolume& volume = candidate.seen.volume;
-        plan.walls.insert(plan.walls.end(), volume.planes.end() - volume.walls, volume.planes.end());
+        plan.walls.insert(plan.walls.end(), volume.walls.begin(), volume.walls.end());
         planned.nearDepth = candidate.slabs.nearDepth;
         planned.farDepth = candidate.slabs.farDepth;
         planned.drawn = true;
@@ -107,7 +108,7 @@ Planner& Planner::operator=(Planner&&) noexcept = default;
 Planner::~Planner() = default;
 
 Result<void> Planner::plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
-                           const Surroundings& surroundings, Plan& plan) {
+                           const Surroundings& surroundings, Plan& plan) try {
     clear(plan);
     if (const Result<void> checked = impl_->check(lights, view, options, surroundings); !checked) return checked;
     impl_->occluders.clear();
@@ -135,6 +136,9 @@ Result<void> Planner::plan(std::span<const Light> lights, const View& view, cons
     }
     formGroups(plan, lights);
     return {};
+} catch (const CapacityExceeded& exceeded) {
+    clear(plan);
+    return tl::unexpected(internalError(exceeded));
 }
 
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,

@@ -3,6 +3,8 @@
 
 #include "needs/brightness.h"
 #include "plan_stages.h"
+#include "shape/attenuation.h"
+#include "shape/light_shape.h"
 
 namespace tyndall {
 namespace {
@@ -24,8 +26,7 @@ double strongest(const glm::dvec3& v) {
 // or slabs would jump when what is seen of a cookie turns out uniform.
 double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions& options) {
     double detail = std::numeric_limits<double>::infinity();
-    const glm::dvec2 field = 2.0 * glm::tan(0.5 * light.fov);
-    const double width = std::min(field.x, field.y);
+    const double width = narrowness(shapeOf(light));
     if (light.cookie) detail = std::min(detail, width * (survey.cookie ? survey.cookie->detail : 1.0 / 64.0));
     if (light.noise) {
         const double repeats = std::max({1.0, std::fabs(light.noise->scale.x), std::fabs(light.noise->scale.y)});
@@ -38,7 +39,7 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
 // Metres of air at the lamp's end whose light is half a display step.
 double visibleSlab(const Light& light, const PlanOptions& options) {
     const double perMetre = light.density * strongest(light.colour) / (4.0 * 3.14159265358979) *
-                            (light.intensity / (light.nearPlane * light.nearPlane) + light.ambient);
+                            maxAttenuation(light);
     return perMetre > 0.0 ? 0.5 * options.displayStep / perMetre : 0.0;
 }
 
@@ -56,7 +57,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.verdict = seen.verdict;
     planned.volumeNear = seen.volume.axisNear;
     planned.volumeFar = seen.volume.axisFar;
-    planned.walls = static_cast<std::uint32_t>(seen.volume.walls);
+    planned.walls = static_cast<std::uint32_t>(seen.volume.walls.size());
     planned.seenNear = seen.air.axisNear;
     planned.seenFar = seen.air.axisFar;
     if (!seen.drawable(options)) return false;

@@ -29,7 +29,7 @@ struct Candidate {
 /// Working memory of consider().
 struct ConsiderScratch {
     WallScratch walls;
-    std::vector<Shade> shades;
+    std::vector<OccluderShadow> shades;
 };
 
 /// Fills `planned`, and `candidate` where it returns true. False: the verdict says why the light is not drawn.

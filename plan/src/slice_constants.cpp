@@ -1,5 +1,7 @@
 #include "slice_constants.h"
 
+#include "shape/slide.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -32,11 +34,9 @@ glm::vec4 noiseMap(const glm::dvec2& scale, const glm::dvec2& scroll, double tim
     return {glm::vec2(scale), phase(scroll.x * time), phase(scroll.y * time)};
 }
 
-// Stored depth n / (f - n) * (f / w - 1), as x + y / w; see lightClipFromLight().
 glm::vec4 shadowConstants(const Light& light, const PlanOptions& options, double bias) {
-    const double n = light.nearPlane;
-    const double f = light.farPlane;
-    return glm::dvec4(-n / (f - n), n * f / (f - n), options.shadowMapSize, std::min(bias, 0.99 * n));
+    const ShadowDepth depth = shadowDepth(light);
+    return glm::dvec4(depth.constant, depth.overAxis, options.shadowMapSize, std::min(bias, 0.99 * light.nearPlane));
 }
 
 glm::vec4 dustConstants(const Light& light, const PlanOptions& options, TermSet terms, double factor) {
@@ -70,8 +70,9 @@ void stretchOver(SliceConstants& constants, const LightVolume& volume, const Sla
     const glm::dvec2 margin = 1e-6 * (glm::abs(volume.boundsMin) + glm::abs(volume.boundsMax)) + 1e-9;
     constants.boundsMin = glm::dvec4(volume.boundsMin - margin, -slabs.farDepth, 0.0);
     constants.boundsMax = glm::dvec4(volume.boundsMax + margin, -slabs.nearDepth, 0.0);
-    for (std::size_t i = 0; i < volume.planes.size() && i < std::size(constants.clipPlanes); ++i)
-        constants.clipPlanes[i] = volume.planes[i];
+    const VolumePlanes planes = boundingPlanes(volume);
+    for (std::size_t i = 0; i < planes.size() && i < std::size(constants.clipPlanes); ++i)
+        constants.clipPlanes[i] = planes[i];
 }
 
 }  // namespace
@@ -96,7 +97,7 @@ SliceConstants sliceConstants(const Light& light, const View& view, const PlanOp
     std::fill(std::begin(constants.clipPlanes), std::end(constants.clipPlanes), keepEverything);
     if (options.geometry == Geometry::StretchedQuads) stretchOver(constants, volume, slabs);
 
-    constants.cookieScale = glm::dvec4(0.5 / glm::tan(0.5 * light.fov), 0.0, 0.0);
+    constants.cookieScale = glm::dvec4(cookieScale(shapeOf(light)), 0.0, 0.0);
     constants.attenuation =
         options.look == Look::Physical ? glm::dvec4(light.intensity, light.ambient, 1.0, 0.0) : article::attenuation;
     constants.dust = dustConstants(light, options, terms, standIns[Term::Noise].x);

@@ -9,7 +9,7 @@
 namespace tyndall {
 namespace {
 
-std::vector<Shade> scratch;
+std::vector<OccluderShadow> scratch;
 
 using namespace test;
 
@@ -35,8 +35,8 @@ Way randomWay(Random& random) {
     SeenAir& air = way.air;
     air.any = true;
     std::tie(air.axisNear, air.axisFar) = range(way.light.nearPlane, way.light.farPlane);
-    std::tie(air.slideMin.x, air.slideMax.x) = range(-slope.x, slope.x);
-    std::tie(air.slideMin.y, air.slideMax.y) = range(-slope.y, slope.y);
+    std::tie(air.slopes.min.x, air.slopes.max.x) = range(-slope.x, slope.x);
+    std::tie(air.slopes.min.y, air.slopes.max.y) = range(-slope.y, slope.y);
     return way;
 }
 
@@ -71,8 +71,8 @@ double entry(const OccluderBox& box, const glm::dvec3& from, const glm::dvec3& t
 
 glm::dvec3 seenPoint(Random& random, const Way& way) {
     const SeenAir& air = way.air;
-    return between(random, air.axisNear, air.axisFar) * glm::dvec3(between(random, air.slideMin.x, air.slideMax.x),
-                                                                   between(random, air.slideMin.y, air.slideMax.y),
+    return between(random, air.axisNear, air.axisFar) * glm::dvec3(between(random, air.slopes.min.x, air.slopes.max.x),
+                                                                   between(random, air.slopes.min.y, air.slopes.max.y),
                                                                    -1.0);
 }
 
@@ -133,8 +133,8 @@ TEST(ShadowNeed, CountsWhatFilteringReads) {
     way.air.any = true;
     way.air.axisNear = 1.0;
     way.air.axisFar = 5.0;
-    way.air.slideMin = {-0.1, -0.1};
-    way.air.slideMax = {0.1, 0.1};
+    way.air.slopes.min = {-0.1, -0.1};
+    way.air.slopes.max = {0.1, 0.1};
     OccluderBox box;
     // A texel of a map of 64 is 2 * tan(20 degrees) / 64 = 0.0114 wide: this begins one texel out, at 2 m.
     box.minimum = {2.0 * (0.1 + 0.0114), -0.1, -2.01};
@@ -152,7 +152,7 @@ TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
     way.light.nearPlane = 1e-6;
     way.pose = lightPose(way.light.worldFromLight, glm::dmat4(1.0));
     const glm::dvec2 slope = glm::tan(0.5 * way.light.fov);
-    way.air = SeenAir{true, 0.0, 0.0, 1e-6, 5.0, -slope, slope};
+    way.air = SeenAir{true, 0.0, 0.0, 1e-6, 5.0, {-slope, slope}};
     OccluderBox box;
     const auto sheet = [](float w, float y) { return glm::vec3(0.2f * w - 2e-6f, y, -w); };
     const std::array<std::array<glm::vec3, 3>, 2> triangles{
@@ -166,7 +166,7 @@ TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
     ASSERT_TRUE(need.needed);
     for (const double s : {-0.3, -0.1, 0.0, 0.1, 0.19}) {
         EXPECT_LE(need.firstOccluder, 2e-6 / (0.2 - s)) << s;
-        EXPECT_TRUE(need.firstLarge <= 1.0 || (need.shadeMin.x < s && s < need.shadeMax.x)) << s;
+        EXPECT_TRUE(need.firstLarge <= 1.0 || (need.slopes.min.x < s && s < need.slopes.max.x)) << s;
     }
 }
 
@@ -177,8 +177,8 @@ TEST(ShadowNeed, LeavesTheWallItselfOut) {
     way.air.any = true;
     way.air.axisNear = 1.0;
     way.air.axisFar = 4.0;
-    way.air.slideMin = {-0.3, -0.2};
-    way.air.slideMax = {0.3, 0.2};
+    way.air.slopes.min = {-0.3, -0.2};
+    way.air.slopes.max = {0.3, 0.2};
     const glm::dvec4 walls[] = {{0.0, 0.0, 1.0, 4.0 + wallMargin(4.0)}};
     OccluderBox box;
     box.minimum = {-2.0, -2.0, -4.3};
@@ -208,8 +208,8 @@ TEST(CookieRange, HoldsWhatEverySeenPointReads) {
             const glm::dvec3 p = seenPoint(random, way);
             const double u = 0.5 + 0.5 * p.x / -p.z / slope.x, v = 0.5 - 0.5 * p.y / -p.z / slope.y;
             const double value = std::floor(v * 32.0) * 32.0 + std::floor(u * 32.0);  // that texel is read in part
-            EXPECT_LE(range.least.r, value);
-            EXPECT_GE(range.most.r, value);
+            EXPECT_LE(range.min.r, value);
+            EXPECT_GE(range.max.r, value);
         }
     }
 }
@@ -218,14 +218,14 @@ TEST(FactorRanges, OfWhatIsNotThereAreOneAndOfTheUnknownAreAnything) {
     Random random(4);
     const Way way = randomWay(random);
     Light light = way.light;
-    EXPECT_EQ(cookieRange(light, way.air, nullptr).least, glm::dvec3(1.0));
-    EXPECT_EQ(noiseRange(light, nullptr).most, glm::dvec3(1.0));
+    EXPECT_EQ(cookieRange(light, way.air, nullptr).min, glm::dvec3(1.0));
+    EXPECT_EQ(noiseRange(light, nullptr).max, glm::dvec3(1.0));
     light.cookie = true;
     light.noise = Noise{};
     EXPECT_EQ(cookieRange(light, way.air, nullptr).spread(), infinity);
     EXPECT_EQ(noiseRange(light, nullptr).spread(), infinity);
     light.noise->gain = 0.0;
-    EXPECT_EQ(noiseRange(light, nullptr).most, glm::dvec3(0.0));
+    EXPECT_EQ(noiseRange(light, nullptr).max, glm::dvec3(0.0));
 }
 
 TEST(NoiseRange, HoldsEveryProductOfRedAndGreen) {
@@ -244,8 +244,8 @@ TEST(NoiseRange, HoldsEveryProductOfRedAndGreen) {
                 least = std::min(least, light.noise->gain * a.r * b.g);
                 most = std::max(most, light.noise->gain * a.r * b.g);
             }
-        EXPECT_NEAR(range.least.x, least, 1e-6);
-        EXPECT_NEAR(range.most.x, most, 1e-6);
+        EXPECT_NEAR(range.min.x, least, 1e-6);
+        EXPECT_NEAR(range.max.x, most, 1e-6);
     }
 }
 

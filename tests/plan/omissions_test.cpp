@@ -24,7 +24,7 @@ struct Faint {
         candidate.needed.ranges[Term::Noise] = noise;
         PlannedLight light;
         light.light = lights.size();
-        light.brightest = base * std::max({cookie.most.x, cookie.most.y, cookie.most.z}) * noise.most.x;
+        light.brightest = base * std::max({cookie.max.x, cookie.max.y, cookie.max.z}) * noise.max.x;
         light.terms = TermSet().with(Term::Cookie, cookie.spread() > 0.0).with(Term::Noise, noise.spread() > 0.0);
         for (const Term term : allTerms)
             light.verdicts[term] = light.terms.contains(term) ? TermVerdict::Drawn : TermVerdict::NotAsked;
@@ -62,7 +62,7 @@ TEST(Omissions, StayUnderAQuarterStepTogether) {
             const FactorRange& cookies = candidate.needed.ranges[Term::Cookie];
             const FactorRange& noises = candidate.needed.ranges[Term::Noise];
             if (light.verdict == Verdict::TooFaint) {
-                error += candidate.base * cookies.most.x * noises.most.x;
+                error += candidate.base * cookies.max.x * noises.max.x;
                 ++lightsOut;
                 continue;
             }
@@ -73,8 +73,8 @@ TEST(Omissions, StayUnderAQuarterStepTogether) {
             cookiesOut += cookie >= 0.0;
             noiseOut += noise >= 0.0;
             double worst = 0.0;
-            for (const double c : {cookies.least.x, cookies.most.x})
-                for (const double n : {noises.least.x, noises.most.x})
+            for (const double c : {cookies.min.x, cookies.max.x})
+                for (const double n : {noises.min.x, noises.max.x})
                     worst = std::max(worst, std::fabs(c * n - (cookie < 0.0 ? c : cookie) * (noise < 0.0 ? n : noise)));
             error += candidate.base * worst;
         }

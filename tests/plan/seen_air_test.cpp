@@ -53,7 +53,7 @@ Shot randomShot(Random& random, bool withTiles) {
     ConvexPolyhedron seen;
     const LightVolume volume = lightVolume(shot.light, shot.view, shot.pose, {}, {}, seen);
     if (volume.hidden == Verdict::Drawn)
-        shot.air = seenAir(seen, shot.view, shot.pose, withTiles ? std::optional(shot.tiles) : std::nullopt);
+        shot.air = seenAir(seen, shapeOf(shot.light), shot.view, shot.pose, withTiles ? std::optional(shot.tiles) : std::nullopt);
     return shot;
 }
 
@@ -98,8 +98,8 @@ TEST(SeenAir, HoldsEveryPointThatAPixelShows) {
             EXPECT_GE(-light.z, air.axisNear - eps) << trial;
             EXPECT_LE(-light.z, air.axisFar + eps) << trial;
             const glm::dvec2 slide = glm::dvec2(light) / -light.z;
-            EXPECT_TRUE(glm::all(glm::greaterThanEqual(slide, air.slideMin - eps))) << trial;
-            EXPECT_TRUE(glm::all(glm::lessThanEqual(slide, air.slideMax + eps))) << trial;
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(slide, air.slopes.min - eps))) << trial;
+            EXPECT_TRUE(glm::all(glm::lessThanEqual(slide, air.slopes.max + eps))) << trial;
         }
     }
     EXPECT_GT(shownPoints, 10000);
@@ -131,8 +131,8 @@ TEST(SeenAir, NoRayRunsFartherThroughIt) {
             }
             if (!(last > first)) continue;
             ++rays;
-            EXPECT_LE(last - first, shot.air.longest * (1.0 + 1e-9)) << trial;
-            closest = std::max(closest, (last - first) / shot.air.longest);
+            EXPECT_LE(last - first, shot.air.maxLength * (1.0 + 1e-9)) << trial;
+            closest = std::max(closest, (last - first) / shot.air.maxLength);
         }
     }
     EXPECT_GT(rays, 1000);
@@ -150,7 +150,7 @@ TEST(SeenAir, IsNoLargerThanWhatTheTilesLeave) {
     ASSERT_EQ(lightVolume(light, view, pose, {}, {}, seen).hidden, Verdict::Drawn);
     const auto air = [&](float left, float right) {
         const float depths[] = {left, right};
-        return seenAir(seen, view, pose, DepthTiles{2, 1, depths});
+        return seenAir(seen, shapeOf(light), view, pose, DepthTiles{2, 1, depths});
     };
     EXPECT_NEAR(air(2.0f, INFINITY).axisNear, 3.0, 1e-3);
     EXPECT_NEAR(air(2.0f, INFINITY).axisFar, 6.0, 1e-3);

@@ -122,12 +122,12 @@ TEST(Slabs, AreThinAsTheirDistanceFromTheLampDemands) {
         for (int i = 0; i < slabs.count; i += std::max(1, slabs.count / 12)) {
             const Slab slab = slabAt(slabs, i);
             const double far = slab.middle + 0.5 * slab.thickness, near = slab.middle - 0.5 * slab.thickness;
-            // h is at most hypot(growth d, growth near plane); d changes by at most reach * h over a slab.
+            // h is at most hypot(growth d, growth near plane); d changes by at most secant * h over a slab.
             const double nearest = std::min(nearestOf(beam, far), nearestOf(beam, near));
             if (!std::isfinite(nearest)) continue;
             ++looked;
-            const double reach = std::max(slabs.reachBefore, slabs.reachBehind);
-            const double at = nearest + reach * slab.thickness;
+            const double secant = std::max(slabs.secantBefore, slabs.secantBehind);
+            const double at = nearest + secant * slab.thickness;
             EXPECT_LE(slab.thickness, growth * std::hypot(at, beam.light.nearPlane) * (1.0 + 1e-6)) << trial;
         }
     }
@@ -238,7 +238,7 @@ TEST(Slabs, MoveByLittleWhereThePoseDoes) {
         beam = beamOf(beam.light, beam.view);
         const Slabs second = slabsFor(beam, options, detail, 1e-3);
         const std::map<int, double> before = boundaries(first), after = boundaries(second);
-        // How far the volume's ends move, times how strongly boundaries hang on them: reach may be 1 / cos(89 degrees),
+        // How far the volume's ends move, times how strongly boundaries hang on them: the secant may be 1 / cos(89 degrees),
         // and the closed form has its derivative in it.
         const double allowed = 3e4 * tiny;
         for (const auto& [number, depth] : after) {

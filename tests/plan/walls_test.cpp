@@ -158,6 +158,19 @@ TEST(Walls, HaveNoRoundHoleEither) {
         }
 }
 
+// Each triangle has a side on a tangent of the hole, and adds a corner to the one piece that is left of the face.
+TEST(Walls, HaveNoHoleOfMoreCornersThanAPieceHolds) {
+    Room room;
+    Blocker& wall = room.blockers.emplace_back();
+    for (int i = 0; i < 60; ++i) {
+        const double angle = 2.0 * glm::pi<double>() * i / 60.0;
+        const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0), along(-out.y, out.x, 0.0);
+        const glm::dvec3 on = 0.5 * out - 4.0 * z;
+        wall.triangles.push_back({on + 9.0 * along, on - 9.0 * along, on + 9.0 * out});
+    }
+    EXPECT_TRUE(wallsIn(room).empty());
+}
+
 // A map of 1024 over 40 by 24 degrees, a wall askance: what a texel aside differs by on it, from the wall's own
 // equation.
 TEST(Walls, KnowHowCoarselyAMapHoldsThem) {

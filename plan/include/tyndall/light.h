@@ -39,6 +39,19 @@ struct Light {
                                          ///< stretched quads); n of any length from 1e-6
 };
 
+/// Half the width and height of the light's volume, for each metre along its axis.
+glm::dvec2 tanHalfFov(const Light& light);
+
+/// Metres from the lamp to the farthest corner of its volume.
+double maxDistance(const Light& light);
+
+/// The depth that the light's shadow map stores for a surface `w` metres along the light's axis:
+/// constant + overAxis / w. See lightClipFromLight().
+struct ShadowDepth {
+    double constant, overAxis;
+};
+ShadowDepth shadowDepth(const Light& light);
+
 /// World-to-light-clip projection of the light's shadow map, Vulkan conventions (y down, depth 0..1),
 /// reversed: depth 1 at the near plane and 0 at the far plane. x right, y up in light space map to
 /// u right, v down in the map, as for the cookie.

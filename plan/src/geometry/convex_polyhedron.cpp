@@ -23,19 +23,21 @@ ConvexPolyhedron hexahedron(const std::array<glm::dvec3, 8>& corners) {
 
 bool cut(ConvexPolyhedron& solid, const glm::dvec4& plane, double tolerance) {
     constexpr std::uint32_t dropped = ~0u;
-    if (solid.vertices.empty() || solid.faces >= ConvexPolyhedron::mostFaces) return !solid.vertices.empty();
-    InlineVector<double, ConvexPolyhedron::mostVertices> beyond;
+    if (solid.vertices.empty()) return false;
+    InlineVector<double, ConvexPolyhedron::maxVertices> beyond;
     beyond.resize(solid.vertices.size());
     std::transform(solid.vertices.begin(), solid.vertices.end(), beyond.begin(),
                    [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; });
-    const auto [least, most] = std::minmax_element(beyond.begin(), beyond.end());
-    if (!(*most > tolerance)) return false;
-    if (*least >= 0.0) return true;
+    const auto [min, max] = std::minmax_element(beyond.begin(), beyond.end());
+    if (!(*max > tolerance)) return false;
+    if (*min >= 0.0) return true;
+    if (solid.faces >= ConvexPolyhedron::maxFaces)
+        throwCapacityExceeded(ConvexPolyhedron::maxFaces, std::source_location::current());
 
     ConvexPolyhedron left;
     left.faces = solid.faces + 1;
     const std::uint32_t section = solid.faces;
-    InlineVector<std::uint32_t, ConvexPolyhedron::mostVertices> kept;
+    InlineVector<std::uint32_t, ConvexPolyhedron::maxVertices> kept;
     kept.resize(solid.vertices.size());
     std::fill(kept.begin(), kept.end(), dropped);
     for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -44,7 +46,7 @@ bool cut(ConvexPolyhedron& solid, const glm::dvec4& plane, double tolerance) {
         left.vertices.push_back(solid.vertices[i]);
     }
     // The first crossing on each face, until its second.
-    std::array<std::uint32_t, ConvexPolyhedron::mostFaces> crossing;
+    std::array<std::uint32_t, ConvexPolyhedron::maxFaces> crossing;
     crossing.fill(dropped);
     for (const ConvexPolyhedron::Edge& edge : solid.edges) {
         auto [inside, outside] = edge.vertices;

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <source_location>
+
+#include "geometry/capacity.h"
 
 namespace tyndall {
 
-/// What exceeds the capacity is dropped: capacities here are such that only rounding could.
+/// Throws CapacityExceeded where it would hold more than `capacity` entries, and then stays as it is.
 template <class T, std::size_t capacity>
 class InlineVector {
 public:
@@ -19,10 +22,14 @@ public:
         return *this;
     }
 
-    void push_back(const T& value) {
-        if (size_ < capacity) items_[size_++] = value;
+    void push_back(const T& value, const std::source_location& where = std::source_location::current()) {
+        if (size_ >= capacity) throwCapacityExceeded(capacity, where);
+        items_[size_++] = value;
     }
-    void resize(std::size_t size) { size_ = std::min(size, capacity); }
+    void resize(std::size_t size, const std::source_location& where = std::source_location::current()) {
+        if (size > capacity) throwCapacityExceeded(capacity, where);
+        size_ = size;
+    }
     void clear() { size_ = 0; }
     bool empty() const { return size_ == 0; }
     std::size_t size() const { return size_; }

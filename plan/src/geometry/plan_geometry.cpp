@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/slice_polygon.h"
+#include "shape/light_shape.h"
 
 namespace tyndall {
 namespace {
@@ -34,7 +35,7 @@ struct Range {
     int first, end;
 };
 
-// Slabs whose slice lies within the depths that are seen.
+// The slabs whose slices lie within the depths that are seen.
 Range seenSlabs(const Slabs& slabs, const SeenAir& air, bool everything) {
     if (everything) return {0, slabs.count};
     const double margin = 1e-9 * air.farDepth;
@@ -44,90 +45,90 @@ Range seenSlabs(const Slabs& slabs, const SeenAir& air, bool everything) {
     return range;
 }
 
-// A plane of view space across the light's axis; keeps what is farther from the lamp (sign 1) or nearer (-1).
-glm::dvec4 acrossAxis(const LightPose& pose, double axis, double sign) {
-    return unitPlane(glm::dvec4(0.0, 0.0, -sign, -sign * axis) * pose.lightFromView);
+// A plane of view space across the light's axis.
+glm::dvec4 acrossAxis(const LightPose& pose, double axis, Keep keep) {
+    return unitPlane(axisPlane(axis, keep) * pose.lightFromView);
 }
 
-// What cuts the slices, whatever is drawn of them.
-using Planes = InlineVector<glm::dvec4, 16>;
+// Planes that bound every slice.
+using SlicePlanes = InlineVector<glm::dvec4, 6 + maxClipPlanes + 4>;
 
-Planes volumePlanes(const LightVolume& volume) {
-    Planes planes;
-    for (std::size_t i = 0; i + volume.walls < volume.planes.size(); ++i) planes.push_back(volume.planes[i]);
+SlicePlanes slicePlanes(const LightVolume& volume) {
+    SlicePlanes planes;
+    for (const glm::dvec4& plane : boundingPlanes(volume)) planes.push_back(plane);
     for (const glm::dvec4& plane : volume.guard) planes.push_back(plane);
     return planes;
 }
 
-// Planes that divide slices into what is lit and seen (positive) and what is not: the walls, the sides of the cookie's
-// beam, and the ends of the seen air along the axis, if that spares a tenth of the pyramid or more.
-using Cuts = InlineVector<glm::dvec4, mostWalls + 8 + 2>;
+// Planes that divide slices into the part that is lit and seen (positive) and the rest: the walls, the sides of the
+// cookie's beam, and the ends of the seen air along the axis where that spares a tenth of the volume or more.
+using Cuts = InlineVector<glm::dvec4, maxWalls + 8 + 2>;
 
 Cuts unseenBeyond(const Light& light, const Candidate& candidate) {
     Cuts cuts;
     const LightVolume& volume = candidate.seen.volume;
-    for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
-        cuts.push_back(volume.planes[i]);
+    for (const glm::dvec4& wall : volume.walls) cuts.push_back(wall);
     for (const glm::dvec4& side : volume.beam) cuts.push_back(side);
     const SeenAir& air = candidate.seen.air;
     if (!air.any) return cuts;
     const double length = volume.axisFar - volume.axisNear;
     const double margin = 1e-6 * light.farPlane;
     if (air.axisNear - volume.axisNear > 0.1 * length)
-        cuts.push_back(acrossAxis(candidate.seen.pose, air.axisNear - margin, 1.0));
+        cuts.push_back(acrossAxis(candidate.seen.pose, air.axisNear - margin, Keep::Above));
     if (volume.axisFar - air.axisFar > 0.1 * length)
-        cuts.push_back(acrossAxis(candidate.seen.pose, air.axisFar + margin, -1.0));
+        cuts.push_back(acrossAxis(candidate.seen.pose, air.axisFar + margin, Keep::Below));
     return cuts;
 }
 
 // Where a light's slices are cut apart, and which pieces need the shadow map.
 struct Partition {
     InlineVector<glm::dvec4, 6> cuts;  ///< planes of view space
+    LightShape shape;
     const LightPose* pose = nullptr;
     double first = 0.0, large = 0.0;  ///< metres along the light's axis
-    glm::dvec2 shadeMin{0.0}, shadeMax{0.0};
+    SlopeRange shaded;                ///< between both
 
-    // Pieces lie on one side of every cut, so any point of one speaks for it.
-    bool inShade(const SlicePolygon& piece, double depth) const {
+    // A piece lies on one side of every cut, so that any point of it stands for the whole piece.
+    bool mayBeShaded(const SlicePolygon& piece, double depth) const {
         glm::dvec2 middle(0.0);
         for (std::size_t i = 0; i < piece.count; ++i) middle += piece.corners[i];
         const glm::dvec3 p(pose->lightFromView * glm::dvec4(middle / static_cast<double>(piece.count), -depth, 1.0));
-        const glm::dvec2 slide = glm::dvec2(p) / -p.z;
-        if (-p.z < first) return false;
-        return -p.z >= large ||
-               (glm::all(glm::greaterThan(slide, shadeMin)) && glm::all(glm::lessThan(slide, shadeMax)));
+        if (axisOf(p) < first) return false;
+        const glm::dvec2 slope = slopeOf(shape, p);
+        return axisOf(p) >= large ||
+               (glm::all(glm::greaterThan(slope, shaded.min)) && glm::all(glm::lessThan(slope, shaded.max)));
     }
 };
 
 // Before the first occluder the shadow map lets everything through; its depths are rounded by less than this share.
 constexpr double mapRounding = 1e-4;
-// A part that holds less of the light's length than this costs more to draw on its own than it spares.
-constexpr double leastPart = 0.05;
+// A part that holds a smaller share of the light's length costs more to draw on its own than it spares.
+constexpr double minPart = 0.05;
 
-Partition partition(const Candidate& candidate) {
+Partition partition(const Light& light, const Candidate& candidate) {
     Partition parts;
     if (!candidate.needed.divisible) return parts;
     const SeenAir& air = candidate.seen.air;
     const ShadowNeed& need = candidate.needed.shadow;
-    const double least = leastPart * (air.axisFar - air.axisNear);
+    const double minLength = minPart * (air.axisFar - air.axisNear);
+    parts.shape = shapeOf(light);
     parts.pose = &candidate.seen.pose;
     parts.first = need.firstOccluder * (1.0 - mapRounding);
     parts.large = need.firstLarge * (1.0 - mapRounding);
-    parts.shadeMin = need.shadeMin;
-    parts.shadeMax = need.shadeMax;
-    if (parts.first - air.axisNear > least) parts.cuts.push_back(acrossAxis(candidate.seen.pose, parts.first, -1.0));
-    if (std::min(parts.large, air.axisFar) - std::max(parts.first, air.axisNear) > least) {
-        if (parts.large < air.axisFar) parts.cuts.push_back(acrossAxis(candidate.seen.pose, parts.large, -1.0));
+    parts.shaded = need.slopes;
+    if (parts.first - air.axisNear > minLength)
+        parts.cuts.push_back(acrossAxis(candidate.seen.pose, parts.first, Keep::Below));
+    if (std::min(parts.large, air.axisFar) - std::max(parts.first, air.axisNear) > minLength) {
+        if (parts.large < air.axisFar) parts.cuts.push_back(acrossAxis(candidate.seen.pose, parts.large, Keep::Below));
         for (int axis = 0; axis < 2; ++axis) {
-            // Slices reach beyond what is seen of them; where the shade comes to its edge, it goes on.
-            if (parts.shadeMin[axis] <= air.slideMin[axis]) parts.shadeMin[axis] = -HUGE_VAL;
-            if (parts.shadeMax[axis] >= air.slideMax[axis]) parts.shadeMax[axis] = HUGE_VAL;
-            for (const double sign : {1.0, -1.0}) {
-                const double slope = sign > 0.0 ? parts.shadeMin[axis] : parts.shadeMax[axis];
+            // Slices extend beyond the air that is seen. A shadow that reaches the edge of that air goes on beyond it.
+            if (parts.shaded.min[axis] <= air.slopes.min[axis]) parts.shaded.min[axis] = -HUGE_VAL;
+            if (parts.shaded.max[axis] >= air.slopes.max[axis]) parts.shaded.max[axis] = HUGE_VAL;
+            for (const Keep keep : {Keep::Above, Keep::Below}) {
+                const double slope = keep == Keep::Above ? parts.shaded.min[axis] : parts.shaded.max[axis];
                 if (std::isinf(slope)) continue;
-                glm::dvec4 side(0.0, 0.0, sign * slope, 0.0);  // sign * (x - slope * w), w = -z
-                side[axis] = sign;
-                parts.cuts.push_back(unitPlane(side * candidate.seen.pose.lightFromView));
+                parts.cuts.push_back(
+                    unitPlane(slopePlane(parts.shape, axis, slope, keep) * candidate.seen.pose.lightFromView));
             }
         }
     } else {
@@ -136,10 +137,13 @@ Partition partition(const Candidate& candidate) {
     return parts;
 }
 
-// Every cut goes through all pieces: where one piece had a corner on a side that its neighbour has whole, the
-// rasterizer would round the two sides differently.
-InlineVector<SlicePolygon, 24> cutApart(const SlicePolygon& whole, const Partition& parts, double depth) {
-    InlineVector<SlicePolygon, 24> pieces;
+// Six lines divide the plane into at most 1 + 6 + 15 = 22 pieces.
+using Pieces = InlineVector<SlicePolygon, 24>;
+
+// Every cut goes through all pieces: if one piece had a corner on a side that its neighbour has whole, the rasterizer
+// would round the two sides differently.
+Pieces cutApart(const SlicePolygon& whole, const Partition& parts, double depth) {
+    Pieces pieces;
     if (whole.count > 0) pieces.push_back(whole);
     for (const glm::dvec4& plane : parts.cuts) {
         const std::size_t before = pieces.size();
@@ -173,8 +177,8 @@ void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex,
     if (part.indexCount > 0) plan.parts.push_back(part);
 }
 
-// What lies behind a wall is umbra. The bias that keeps the wall's shadow off the air before it would let light through
-// to the air behind it: there the bias goes the other way.
+// The air behind a wall lies in its umbra. The bias that keeps the wall's shadow off the air before the wall would let
+// light through to the air behind it: there the bias is reversed.
 void appendUmbra(Plan& plan, const PlannedLight& light, const std::vector<std::uint32_t>& indices, int slices) {
     if (indices.empty()) return;
     SliceConstants constants = plan.constants.back();
@@ -187,16 +191,16 @@ void appendUmbra(Plan& plan, const PlannedLight& light, const std::vector<std::u
 
 }  // namespace
 
-// Where everything is drawn, slices are divided as they otherwise are, and all of them is drawn: so the outlines of
-// what both draw have the same corners, and after a rasterizer has rounded those, cover the same pixels.
+// PlanOptions::everything divides slices in the same way and draws all pieces. So pieces that are drawn with and
+// without it have the same corners, and cover the same pixels after a rasterizer has rounded these.
 void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
                     const PlanOptions& options, std::vector<std::uint32_t>& scratch) {
     const LightVolume& volume = candidate.seen.volume;
-    const Planes planes = volumePlanes(volume);
+    const SlicePlanes planes = slicePlanes(volume);
     const Cuts cuts = unseenBeyond(source, candidate);
-    const Partition parts = partition(candidate);
+    const Partition parts = partition(source, candidate);
     const bool apart = !parts.cuts.empty() && !options.everything;
-    // Larger than the bounds, so that every side of a slice comes from a plane and none from the bounds.
+    // The rectangle is larger than the bounds, so that every side of a slice comes from a plane.
     const glm::dvec2 margin = 1e-3 * (volume.boundsMax - volume.boundsMin);
     const glm::dvec2 rectangleMin = volume.boundsMin - margin;
     const glm::dvec2 rectangleMax = volume.boundsMax + margin;
@@ -213,16 +217,16 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
         for (std::size_t k = 0; k < cuts.size(); ++k) {  // the walls come first
             const glm::dvec4& cut = cuts[k];
             split(polygon, glm::dvec2(cut), cut.w - cut.z * slab.middle, inside, outside);
-            if (options.everything) appendPolygon(plan, k < volume.walls ? scratch : plan.indices, outside, slab);
-            umbra |= k < volume.walls && outside.count > 0;
+            if (options.everything) appendPolygon(plan, k < volume.walls.size() ? scratch : plan.indices, outside, slab);
+            umbra |= k < volume.walls.size() && outside.count > 0;
             polygon = inside;
         }
         inUmbra += umbra;
         bool lit = false, shaded = false;
         for (const SlicePolygon& piece : cutApart(polygon, parts, slab.middle)) {
-            const bool inShade = apart && parts.inShade(piece, slab.middle);
-            appendPolygon(plan, inShade ? scratch : plan.indices, piece, slab);
-            (inShade ? shaded : lit) = true;
+            const bool mayBeShaded = apart && parts.mayBeShaded(piece, slab.middle);
+            appendPolygon(plan, mayBeShaded ? scratch : plan.indices, piece, slab);
+            (mayBeShaded ? shaded : lit) = true;
         }
         before += lit;
         behind += shaded;

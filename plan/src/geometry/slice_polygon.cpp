@@ -1,6 +1,9 @@
 #include "geometry/slice_polygon.h"
 
+#include <source_location>
 #include <utility>
+
+#include "geometry/capacity.h"
 
 namespace tyndall {
 namespace {
@@ -9,13 +12,15 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-void add(SlicePolygon& polygon, const glm::dvec2& corner) {
-    if (polygon.count < SlicePolygon::capacity) polygon.corners[polygon.count++] = corner;
+void add(SlicePolygon& polygon, const glm::dvec2& corner,
+         const std::source_location& where = std::source_location::current()) {
+    if (polygon.count >= SlicePolygon::capacity) throwCapacityExceeded(SlicePolygon::capacity, where);
+    polygon.corners[polygon.count++] = corner;
 }
 
 // Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1), 1974, for one half plane
-// dot(normal, p) + offset >= 0. A corner on the line stays and makes no crossing, so none is doubled.
-// Returns false, leaving `left` alone, where all of `whole` is kept.
+// dot(normal, p) + offset >= 0. A corner on the line stays and makes no crossing, so no corner is doubled.
+// Returns false, and leaves `left` alone, where all of `whole` is kept.
 bool clip(const SlicePolygon& whole, const glm::dvec2& normal, double offset, SlicePolygon& left) {
     std::array<double, SlicePolygon::capacity> inside;
     bool keptWhole = true;
@@ -34,7 +39,7 @@ bool clip(const SlicePolygon& whole, const glm::dvec2& normal, double offset, Sl
     return true;
 }
 
-// Drops corners that rounding made of one: three planes through a point cut it off twice.
+// Merges corners that rounding made out of one: three planes through a point cut it off twice.
 void mergeCorners(SlicePolygon& polygon, double distance) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {

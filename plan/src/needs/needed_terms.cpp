@@ -22,7 +22,7 @@ Verdict darknessOf(Term term) {
 }
 
 bool uniform(const FactorRange& range) {
-    return range.least == range.most;
+    return range.min == range.max;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ PerTerm<TermVerdict> askedTerms(const Light& light, const PlanOptions& options) 
 }
 
 NeededTerms neededTerms(const PlanContext& context, const Light& light, const LightSurvey& survey,
-                        const SeenLight& seen, const PerTerm<TermVerdict>& asked, std::vector<Shade>& scratch) {
+                        const SeenLight& seen, const PerTerm<TermVerdict>& asked, std::vector<OccluderShadow>& scratch) {
     const PlanOptions& options = context.options;
     const bool physical = options.look == Look::Physical;
     const bool chosen = !options.everything && !options.terms;
@@ -63,7 +63,7 @@ NeededTerms neededTerms(const PlanContext& context, const Light& light, const Li
         }
     }
 
-    needed.shadow = {false, light.nearPlane, light.nearPlane, {}, {}};
+    needed.shadow = {false, light.nearPlane, light.nearPlane, {}};
     if (light.shadow && !options.terms && seen.air.any && context.surroundings.occluders) {
         needed.shadow = shadowNeed(light, seen.pose, seen.air, {seen.walls.data(), seen.walls.size()},
                                    context.occluders, options.shadowMapSize, scratch);

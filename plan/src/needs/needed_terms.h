@@ -37,6 +37,6 @@ PerTerm<TermVerdict> askedTerms(const Light& light, const PlanOptions& options);
 
 /// What of `asked` the view calls for. `scratch`: working memory.
 NeededTerms neededTerms(const PlanContext& context, const Light& light, const LightSurvey& survey,
-                        const SeenLight& seen, const PerTerm<TermVerdict>& asked, std::vector<Shade>& scratch);
+                        const SeenLight& seen, const PerTerm<TermVerdict>& asked, std::vector<OccluderShadow>& scratch);
 
 }  // namespace tyndall

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "geometry/convex_polyhedron.h"
+#include "shape/light_shape.h"
+#include "shape/shadow_projection.h"
+#include "shape/slide.h"
 #include "visibility/walls.h"
 
 namespace tyndall {
@@ -25,49 +28,46 @@ std::array<glm::dvec3, 8> cornersOf(const OccluderBox& box) {
     return corners;
 }
 
-// Light-space half spaces of what the lamp shines through on its way to the air that is seen.
-constexpr std::size_t nearEnd = 4;  // of them: the one that begins it
-std::array<glm::dvec4, 6> wayTo(const Light& light, const SeenAir& air, std::uint32_t mapSize) {
-    const glm::dvec2 reach = glm::tan(0.5 * light.fov);
-    // A texel and a half: filtering reads the four nearest, a draw covers texels whose centres it covers.
-    const glm::dvec2 texel = 3.0 * reach / static_cast<double>(mapSize);
-    const glm::dvec2 least = glm::max(air.slideMin - texel, -reach), most = glm::min(air.slideMax + texel, reach);
-    return {unitPlane({1.0, 0.0, least.x, 0.0}),          unitPlane({-1.0, 0.0, -most.x, 0.0}),
-            unitPlane({0.0, 1.0, least.y, 0.0}),          unitPlane({0.0, -1.0, -most.y, 0.0}),
-            glm::dvec4{0.0, 0.0, -1.0, -light.nearPlane}, glm::dvec4{0.0, 0.0, 1.0, air.axisFar}};
+// Light-space planes, unit normals, of the space between the lamp and the air that is seen.
+FrustumPlanes shadowFrustum(const LightShape& shape, const SeenAir& air, std::uint32_t mapSize) {
+    // Filtering reads the four nearest texels, and a draw covers the texels whose centres it covers.
+    const SlopeRange read = widened(air.slopes, texelSlopes(shape, mapSize, 1.5));
+    return changed(frustumPlanes(shape, intersection(read, slopesOf(shape)), shape.nearPlane, air.axisFar), unitPlane);
 }
 
-const Shade emptyShade{unbounded, glm::dvec2(unbounded), glm::dvec2(-unbounded)};
+OccluderShadow noShadow() {
+    return {unbounded, SlopeRange::none()};
+}
 
 template <class Points>
-void widen(Shade& shade, const Points& points, double margin) {
+void widen(OccluderShadow& shadow, const LightShape& shape, const Points& points, double margin) {
     for (const glm::dvec3& p : points) {
-        shade.axis = std::min(shade.axis, -p.z - margin);
-        shade.least = glm::min(shade.least, glm::dvec2(p) / -p.z);
-        shade.most = glm::max(shade.most, glm::dvec2(p) / -p.z);
+        shadow.axis = std::min(shadow.axis, axisOf(p) - margin);
+        add(shadow.slopes, slopeOf(shape, p));
     }
 }
 
-// Whether the triangle lies in the shade already: then so does whatever is cut from it, whose slopes are between its
-// corners'.
-bool within(const Shade& shade, const std::array<glm::dvec3, 3>& triangle, double margin) {
+// Whether the shadow already holds the triangle. It then holds every part of it, too: the slopes of a part lie between
+// those of the corners.
+bool holds(const OccluderShadow& shadow, const LightShape& shape, const std::array<glm::dvec3, 3>& triangle,
+           double margin) {
     return std::all_of(triangle.begin(), triangle.end(), [&](const glm::dvec3& p) {
-        const double w = -p.z;
-        return w > 0.0 && w - margin >= shade.axis && glm::all(glm::lessThanEqual(shade.least * w, glm::dvec2(p))) &&
-               glm::all(glm::lessThanEqual(glm::dvec2(p), shade.most * w));
+        return axisOf(p) - margin >= shadow.axis && holds(shape, shadow.slopes, p);
     });
 }
 
-Shade shadeOf(const ConvexPolyhedron& solid, double margin, const glm::dvec2& texel) {
-    Shade shade = emptyShade;
-    widen(shade, solid.vertices, margin);
-    shade.least -= texel;
-    shade.most += texel;
-    return shade;
+OccluderShadow shadowOf(const ConvexPolyhedron& solid, const LightShape& shape, double margin,
+                        const glm::dvec2& texels) {
+    OccluderShadow shadow = noShadow();
+    widen(shadow, shape, solid.vertices, margin);
+    shadow.slopes = widened(shadow.slopes, texels);
+    return shadow;
 }
 
-// What the half spaces leave of a triangle: each adds a corner at most.
-using Corners = InlineVector<glm::dvec3, 3 + 6 + mostWalls>;
+// The part of a triangle that lies in all half spaces. Each adds at most one corner; the rest is room for corners that
+// rounding doubles.
+constexpr std::size_t maxHalfSpaces = 6 + maxWalls;
+using Corners = InlineVector<glm::dvec3, 2 * (3 + maxHalfSpaces)>;
 
 template <class Planes>
 Corners clipped(const std::array<glm::dvec3, 3>& triangle, const Planes& planes) {
@@ -87,32 +87,27 @@ Corners clipped(const std::array<glm::dvec3, 3>& triangle, const Planes& planes)
     return polygon;
 }
 
-double area(const glm::dvec2& least, const glm::dvec2& most) {
-    const glm::dvec2 extent = glm::max(most - least, glm::dvec2(0.0));
-    return extent.x * extent.y;
-}
-
-// Where to stop telling shade from light: the depth up to which the occluders' slopes together spare the most. What is
-// seen at a distance from the lamp is about as wide as that distance.
-ShadowNeed gather(std::span<Shade> shades, const Light& light, const SeenAir& air) {
-    ShadowNeed need{!shades.empty(), unbounded, unbounded, air.slideMax, air.slideMin};
-    if (shades.empty()) return need;
-    std::sort(shades.begin(), shades.end(), [](const Shade& a, const Shade& b) { return a.axis < b.axis; });
-    const double first = std::max(shades.front().axis, light.nearPlane);
+// Chooses `firstLarge`: the distance up to which the occluders' slopes together spare the most air. The air that is seen
+// is about as wide as its distance from the lamp.
+ShadowNeed gather(std::span<OccluderShadow> shadows, const Light& light, const SeenAir& air) {
+    ShadowNeed need{!shadows.empty(), unbounded, unbounded, {air.slopes.max, air.slopes.min}};
+    if (shadows.empty()) return need;
+    std::sort(shadows.begin(), shadows.end(),
+              [](const OccluderShadow& a, const OccluderShadow& b) { return a.axis < b.axis; });
+    const double first = std::max(shadows.front().axis, light.nearPlane);
     need.firstOccluder = need.firstLarge = first;
-    const double whole = area(air.slideMin, air.slideMax);
-    glm::dvec2 least = air.slideMax, most = air.slideMin;
+    const double whole = area(air.slopes);
+    SlopeRange shaded{air.slopes.max, air.slopes.min};  // empty
     double spared = 0.0;
-    for (std::size_t i = 0; i < shades.size(); ++i) {
-        least = glm::min(least, glm::max(shades[i].least, air.slideMin));
-        most = glm::max(most, glm::min(shades[i].most, air.slideMax));
-        const double end = i + 1 < shades.size() ? std::clamp(shades[i + 1].axis, first, air.axisFar) : air.axisFar;
-        const double gain = (1.0 - area(least, most) / whole) * (end * end - first * first);
+    for (std::size_t i = 0; i < shadows.size(); ++i) {
+        const SlopeRange seen = intersection(shadows[i].slopes, air.slopes);
+        shaded = {glm::min(shaded.min, seen.min), glm::max(shaded.max, seen.max)};
+        const double end = i + 1 < shadows.size() ? std::clamp(shadows[i + 1].axis, first, air.axisFar) : air.axisFar;
+        const double gain = (1.0 - area(shaded) / whole) * (end * end - first * first);
         if (!(gain > spared)) continue;
         spared = gain;
         need.firstLarge = end;
-        need.shadeMin = least;
-        need.shadeMax = most;
+        need.slopes = shaded;
     }
     return need;
 }
@@ -132,13 +127,16 @@ OccluderBounds boundsOf(const OccluderBox& box) {
 }
 
 ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& air, std::span<const glm::dvec4> walls,
-                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize, std::vector<Shade>& scratch) {
-    const std::array<glm::dvec4, 6> way = wayTo(light, air, mapSize);
-    // Filtering reads the four nearest texels, a draw covers those whose centres it covers.
-    const glm::dvec2 texel = 4.0 * glm::tan(0.5 * light.fov) / static_cast<double>(mapSize);
+                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize,
+                      std::vector<OccluderShadow>& scratch) {
+    const LightShape shape = shapeOf(light);
+    const FrustumPlanes frustum = shadowFrustum(shape, air, mapSize);
+    const std::array<glm::dvec4, 6> frustumSides = frustum.all();
+    // Filtering reads the four nearest texels, and a draw covers the texels whose centres it covers.
+    const glm::dvec2 texels = texelSlopes(shape, mapSize, 2.0);
     const glm::dvec3 lamp(light.worldFromLight[3]);
     const glm::dmat3 lightFromWorld = glm::inverse(glm::dmat3(light.worldFromLight));
-    InlineVector<glm::dvec4, mostWalls> lit;  // before the walls, in light space
+    InlineVector<glm::dvec4, maxWalls> lit;  // before the walls, in light space
     for (const glm::dvec4& wall : walls) lit.push_back(unitPlane(wall * pose.viewFromLight));
 
     scratch.clear();
@@ -147,7 +145,7 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         const auto beyond = [&](const glm::dvec4& plane) {
             return glm::dot(plane, glm::dvec4(centre, 1.0)) < -occluder.radius;
         };
-        if (std::any_of(way.begin(), way.end(), beyond)) continue;
+        if (std::any_of(frustumSides.begin(), frustumSides.end(), beyond)) continue;
 
         std::array<glm::dvec3, 8> corners = cornersOf(occluder.box);
         double size = 0.0;
@@ -158,56 +156,54 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         }
         ConvexPolyhedron solid = hexahedron(corners);
         const double margin = boxMargin + boxShare * size;
-        InlineVector<glm::dvec4, 6 + mostWalls> planes;
-        for (const glm::dvec4& plane : way) planes.push_back(plane + glm::dvec4(0.0, 0.0, 0.0, margin));
-        // What is left has slopes: it stays before the lamp, however near to it the near plane is.
-        planes[nearEnd].w = std::min(planes[nearEnd].w, -0.5 * light.nearPlane);
-        // A wall's plane lies a margin behind its triangles; what is less than that before them is the wall as well.
+        FrustumPlanes withMargin = changed(
+            frustum, [&](const glm::dvec4& plane) { return plane + glm::dvec4(0.0, 0.0, 0.0, margin); });
+        // What is left must have slopes: it stays before the lamp even where the near plane is very near to the lamp.
+        withMargin.near.w = std::min(withMargin.near.w, -0.5 * light.nearPlane);
+        InlineVector<glm::dvec4, maxHalfSpaces> planes;
+        for (const glm::dvec4& plane : withMargin.all()) planes.push_back(plane);
+        // A wall's plane lies a margin behind its triangles. Occluders within a margin before them belong to the wall.
         for (const glm::dvec4& plane : lit)
             planes.push_back(plane - glm::dvec4(0.0, 0.0, 0.0, 2.0 * wallMargin(plane.w)));
         if (std::any_of(planes.begin(), planes.end(), [&](const glm::dvec4& plane) { return !cut(solid, plane, 0.0); }))
             continue;
-        Shade shade = shadeOf(solid, margin, texel);
+        OccluderShadow shadow = shadowOf(solid, shape, margin, texels);
         if (!occluder.box.triangles.empty()) {
-            // The box is met; are its triangles?
-            // Relative to the lamp first: far from the world's origin, its sums have lost their digits.
+            // The frustum meets the box: does it meet the triangles?
+            // Positions relative to the lamp: far from the world's origin, world coordinates have lost their digits.
             const glm::dmat4& worldFromBox = occluder.box.worldFromBox;
             const glm::dmat3 turn = lightFromWorld * glm::dmat3(worldFromBox);
             const glm::dvec3 shift = lightFromWorld * (glm::dvec3(worldFromBox[3]) - lamp);
-            shade = emptyShade;
+            shadow = noShadow();
             for (const std::array<glm::vec3, 3>& triangle : occluder.box.triangles) {
                 std::array<glm::dvec3, 3> inLight;
                 for (std::size_t i = 0; i < 3; ++i) inLight[i] = turn * glm::dvec3(triangle[i]) + shift;
-                if (within(shade, inLight, margin)) continue;
-                widen(shade, clipped(inLight, planes), margin);
+                if (holds(shadow, shape, inLight, margin)) continue;
+                widen(shadow, shape, clipped(inLight, planes), margin);
             }
-            if (!(shade.axis < unbounded)) continue;
-            shade.least -= texel;
-            shade.most += texel;
+            if (!(shadow.axis < unbounded)) continue;
+            shadow.slopes = widened(shadow.slopes, texels);
         }
-        scratch.push_back(shade);
+        scratch.push_back(shadow);
     }
     return gather(scratch, light, air);
 }
 
 double FactorRange::largest() const {
-    const glm::dvec3 magnitude = glm::max(glm::abs(least), glm::abs(most));
+    const glm::dvec3 magnitude = glm::max(glm::abs(min), glm::abs(max));
     return std::max({magnitude.x, magnitude.y, magnitude.z});
 }
 
 double FactorRange::spread() const {
-    const glm::dvec3 half = 0.5 * (most - least);
+    const glm::dvec3 half = 0.5 * (max - min);
     return std::max({half.x, half.y, half.z});
 }
 
 FactorRange cookieRange(const Light& light, const SeenAir& air, const TextureSurvey* survey) {
     if (!light.cookie) return {};
     if (!survey) return {glm::dvec3(0.0), glm::dvec3(unbounded)};
-    const glm::dvec2 scale = 0.5 / glm::tan(0.5 * light.fov);
-    // The slide's top is local +Y.
-    const glm::dvec2 least(0.5 + air.slideMin.x * scale.x, 0.5 - air.slideMax.y * scale.y);
-    const glm::dvec2 most(0.5 + air.slideMax.x * scale.x, 0.5 - air.slideMin.y * scale.y);
-    const TextureRange range = rangeWithin(*survey, least, most);
+    const SlideRange slide = slideFromSlopes(shapeOf(light), air.slopes);
+    const TextureRange range = rangeWithin(*survey, slide.min, slide.max);
     return {range.least, range.most};
 }
 
@@ -215,9 +211,9 @@ FactorRange noiseRange(const Light& light, const TextureSurvey* survey) {
     if (!light.noise) return {};
     if (light.noise->gain == 0.0) return {glm::dvec3(0.0), glm::dvec3(0.0)};
     if (!survey) return {glm::dvec3(0.0), glm::dvec3(unbounded)};
-    const glm::dvec3 least(survey->whole.least), most(survey->whole.most);
+    const glm::dvec3 min(survey->whole.least), max(survey->whole.most);
     // Values may be negative in a caller's float texture: the product's bounds are among these four.
-    const double products[] = {least.r * least.g, least.r * most.g, most.r * least.g, most.r * most.g};
+    const double products[] = {min.r * min.g, min.r * max.g, max.r * min.g, max.r * max.g};
     const auto [low, high] = std::minmax_element(std::begin(products), std::end(products));
     return {glm::dvec3(light.noise->gain * *low), glm::dvec3(light.noise->gain * *high)};
 }

@@ -4,34 +4,20 @@
 #include <cmath>
 
 #include "geometry/convex_polyhedron.h"
+#include "shape/light_shape.h"
+#include "shape/slide.h"
 
 namespace tyndall {
 namespace {
 
-// Shares of the scene's size below which a volume counts as only touching a plane. Doubles carry 1e-16;
-// what is thinner than this disappears in the floats of the upload a million times over.
+// A volume counts as only touching a plane where it lies beyond it by less than this share of the scene's size. Doubles
+// resolve 1e-16, and the floats of the upload 6e-8: nothing so thin can show.
 constexpr double touching = 1e-12;
 
-ConvexPolyhedron pyramid(const Light& light, const LightPose& pose) {
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
-    std::array<glm::dvec3, 8> corners;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const double axis = (i & 4) ? light.farPlane : light.nearPlane;
-        const glm::dvec3 corner((i & 1) ? slope.x : -slope.x, (i & 2) ? slope.y : -slope.y, -1.0);
-        corners[i] = glm::dvec3(pose.viewFromLight * glm::dvec4(corner * axis, 1.0));
-    }
+ConvexPolyhedron solidOf(const LightShape& shape, const LightPose& pose) {
+    std::array<glm::dvec3, 8> corners = cornersOf(shape);
+    for (glm::dvec3& corner : corners) corner = glm::dvec3(pose.viewFromLight * glm::dvec4(corner, 1.0));
     return hexahedron(corners);
-}
-
-template <class Planes>
-void addPyramidPlanes(Planes& planes, const Light& light, const LightPose& pose) {
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
-    const glm::dvec4 lightSpace[] = {
-        {1.0, 0.0, -slope.x, 0.0},  {-1.0, 0.0, -slope.x, 0.0},         {0.0, 1.0, -slope.y, 0.0},
-        {0.0, -1.0, -slope.y, 0.0}, {0.0, 0.0, -1.0, -light.nearPlane}, {0.0, 0.0, 1.0, light.farPlane},
-    };
-    // A plane is a row vector: what keeps p_light = M p_view keeps p_view under plane * M.
-    for (const glm::dvec4& plane : lightSpace) planes.push_back(unitPlane(plane * pose.lightFromView));
 }
 
 bool cutAll(ConvexPolyhedron& solid, std::span<const glm::dvec4> planes, double tolerance) {
@@ -50,9 +36,9 @@ bool holds(const glm::dvec4& plane, const ConvexPolyhedron& solid) {
 }
 
 double size(const ConvexPolyhedron& solid) {
-    double most = 0.0;
-    for (const glm::dvec3& p : solid.vertices) most = std::max(most, glm::length(p));
-    return most;
+    double max = 0.0;
+    for (const glm::dvec3& p : solid.vertices) max = std::max(max, glm::length(p));
+    return max;
 }
 
 glm::dvec4 before(double depth) {
@@ -69,13 +55,12 @@ Verdict cutByDepth(ConvexPolyhedron& solid, const View& view, double tolerance) 
     return Verdict::Drawn;
 }
 
-Verdict measure(LightVolume& volume, const Light& light, const View& view, const LightPose& pose,
+Verdict measure(LightVolume& volume, const LightShape& shape, const View& view, const LightPose& pose,
                 std::span<const glm::dvec4> walls, std::span<const glm::dvec4> beam, ConvexPolyhedron& seen) {
-    ConvexPolyhedron solid = pyramid(light, pose);
+    ConvexPolyhedron solid = solidOf(shape, pose);
     const double tolerance = touching * size(solid);
-    for (std::size_t i = 6; i < volume.planes.size(); ++i)
-        if (!cut(solid, volume.planes[i], tolerance)) return Verdict::ClipPlanes;
-    volume.axisNear = light.farPlane;
+    if (!cutAll(solid, spanOf(volume.clipPlanes), tolerance)) return Verdict::ClipPlanes;
+    volume.axisNear = shape.farPlane;
     for (const glm::dvec3& p : solid.vertices) {
         volume.axisNear = std::min(volume.axisNear, axisOf(pose, p));
         volume.axisFar = std::max(volume.axisFar, axisOf(pose, p));
@@ -111,8 +96,7 @@ Verdict measure(LightVolume& volume, const Light& light, const View& view, const
     volume.nearLit = std::max(-firstLit->z, view.nearPlane);
     volume.farLit = std::min(-lastLit->z, view.farPlane);
     for (const glm::dvec3& p : seen.vertices) volume.axisLit = std::max(volume.axisLit, axisOf(pose, p));
-    for (const glm::dvec4& wall : walls) volume.planes.push_back(wall);
-    volume.walls = walls.size();
+    for (const glm::dvec4& wall : walls) volume.walls.push_back(wall);
     for (const glm::dvec4& side : beam) volume.beam.push_back(side);
     const auto shown = [&](ConvexPolyhedron& part) {
         if (!cut(part, before(view.sceneDepth), tolerance)) return Verdict::BehindScene;
@@ -125,6 +109,13 @@ Verdict measure(LightVolume& volume, const Light& light, const View& view, const
 
 }  // namespace
 
+VolumePlanes boundingPlanes(const LightVolume& volume) {
+    VolumePlanes planes;
+    for (const glm::dvec4& plane : volume.shape.all()) planes.push_back(plane);
+    for (const glm::dvec4& plane : volume.clipPlanes) planes.push_back(plane);
+    return planes;
+}
+
 InlineVector<glm::dvec4, 4> viewSides(const View& view, double width) {
     const glm::dmat4 rows = glm::transpose(view.clipFromView);
     InlineVector<glm::dvec4, 4> sides;
@@ -134,45 +125,40 @@ InlineVector<glm::dvec4, 4> viewSides(const View& view, double width) {
 }
 
 InlineVector<glm::dvec4, 8> beamSides(const Light& light, const LightPose& pose, const TextureSurvey& cookie) {
-    // Less than this of the slide's side is not worth a plane.
-    constexpr double leastSpared = 0.02;
-    const glm::dvec2 scale = 0.5 / glm::tan(0.5 * light.fov);
+    // A plane that spares less than this share of the slide's side does not pay.
+    constexpr double minSpared = 0.02;
+    const LightShape shape = shapeOf(light);
     const glm::dvec2 along[] = {{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}};
     const double whole[][2] = {{0.0, 1.0}, {0.0, 1.0}, {0.0, 2.0}, {-1.0, 1.0}};
     InlineVector<glm::dvec4, 8> sides;
     for (std::size_t i = 0; i < 4; ++i) {
         const glm::dvec2& d = along[i];
-        // At distance w along the axis u = x scale.x / w + 0.5 and v = 0.5 - y scale.y / w; times w, d.x u + d.y v -
-        // bound is a plane through the lamp.
         const auto plane = [&](double bound, double sign) {
-            const glm::dvec4 side(d.x * scale.x, -d.y * scale.y, bound - 0.5 * (d.x + d.y), 0.0);
-            return unitPlane(sign * side * pose.lightFromView);
+            return unitPlane(sign * slidePlane(shape, d, bound) * pose.lightFromView);
         };
-        if (cookie.litLeast[i] > whole[i][0] + leastSpared) sides.push_back(plane(cookie.litLeast[i] - 1e-4, 1.0));
-        if (cookie.litMost[i] < whole[i][1] - leastSpared) sides.push_back(plane(cookie.litMost[i] + 1e-4, -1.0));
+        if (cookie.litLeast[i] > whole[i][0] + minSpared) sides.push_back(plane(cookie.litLeast[i] - 1e-4, 1.0));
+        if (cookie.litMost[i] < whole[i][1] - minSpared) sides.push_back(plane(cookie.litMost[i] + 1e-4, -1.0));
     }
     return sides;
 }
 
 LightVolume lightVolume(const Light& light, const View& view, const LightPose& pose, std::span<const glm::dvec4> walls,
                         std::span<const glm::dvec4> beam, ConvexPolyhedron& seen) {
+    const LightShape shape = shapeOf(light);
     LightVolume volume;
-    addPyramidPlanes(volume.planes, light, pose);
-    for (const glm::dvec4& plane : light.clipPlanes) volume.planes.push_back(viewPlane(plane, view.worldFromView));
-    volume.hidden = measure(volume, light, view, pose, walls, beam, seen);
+    // A plane is a row vector: what keeps p_light = M p_view keeps p_view under plane * M.
+    volume.shape = changed(planesOf(shape),
+                           [&](const glm::dvec4& plane) { return unitPlane(plane * pose.lightFromView); });
+    for (const glm::dvec4& plane : light.clipPlanes) volume.clipPlanes.push_back(viewPlane(plane, view.worldFromView));
+    volume.hidden = measure(volume, shape, view, pose, walls, beam, seen);
     return volume;
 }
 
 Verdict hiddenAtAGlance(const Light& light, const View& view, const LightPose& pose,
                         std::span<const glm::dvec4> sides) {
-    // The sphere through the eight corners of a pyramid's stump, centred on its axis: its centre is as far from the
-    // near corners as from the far ones. Where that lies beyond the far plane, the far rectangle's own circle does.
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
-    const double k = 1.0 + glm::dot(slope, slope);
-    const double along = std::min(0.5 * (light.nearPlane + light.farPlane) * k, light.farPlane);
-    const double out = light.farPlane - along;
-    const double radius = std::sqrt(out * out + (k - 1.0) * light.farPlane * light.farPlane) * (1.0 + 1e-9);
-    const glm::dvec3 centre(pose.viewFromLight * glm::dvec4(0.0, 0.0, -along, 1.0));
+    const Sphere sphere = boundingSphere(shapeOf(light));
+    const double radius = sphere.radius;
+    const glm::dvec3 centre(pose.viewFromLight * glm::dvec4(sphere.centre, 1.0));
     const double depth = -centre.z;
     if (depth + radius < 0.0) return Verdict::BehindEye;
     if (depth + radius < view.nearPlane) return Verdict::BeforeNear;

@@ -1,4 +1,4 @@
-// The part of a light's pyramid that a view can see, in view space.
+// The part of a light's volume that a view can see, in view space.
 #pragma once
 
 #include <tyndall/light.h>
@@ -10,21 +10,26 @@
 
 #include "geometry/convex_polyhedron.h"
 #include "geometry/inline_vector.h"
+#include "shape/frustum_planes.h"
+#include "shape/slopes.h"
 #include "visibility/view_pose.h"
+#include "visibility/walls.h"
 
 namespace tyndall {
 
+/// As many as checkLight() lets pass.
+inline constexpr std::size_t maxClipPlanes = 6;
+
 struct LightVolume {
-    Verdict hidden = Verdict::Drawn;  ///< of what the view's depth range has nothing, depths and bounds are zero
-    /// Unit normals, keeping dot(n, p) + d >= 0: left, right, bottom, top, near, far of the light's pyramid,
-    /// then its clip planes, then walls.
-    InlineVector<glm::dvec4, 16> planes;
-    std::size_t walls = 0;  ///< of the planes, the last ones
-    /// Planes through the lamp outside of which its cookie is black, see beamSides().
-    InlineVector<glm::dvec4, 8> beam;
-    /// Those sides of the view's frustum, widened by guardBand, that the volume crosses.
-    InlineVector<glm::dvec4, 4> guard;
-    double nearDepth = 0.0, farDepth = 0.0;  ///< metres of view depth, whatever walls cut off
+    /// Where the view's depth range shows none of the volume, depths and bounds are zero.
+    Verdict hidden = Verdict::Drawn;
+    // All planes keep dot(n, p) + d >= 0 and have unit normals.
+    FrustumPlanes shape;                                ///< of the light's shape
+    InlineVector<glm::dvec4, maxClipPlanes> clipPlanes; ///< the light's own
+    InlineVector<glm::dvec4, maxWalls> walls;           ///< no light comes behind them, see walls.h
+    InlineVector<glm::dvec4, 8> beam;   ///< through the lamp; the cookie is black outside of them, see beamSides()
+    InlineVector<glm::dvec4, 4> guard;  ///< sides of the view's frustum, widened by guardBand, that the volume crosses
+    double nearDepth = 0.0, farDepth = 0.0;  ///< metres of view depth, with what lies behind walls
     double farShown = 0.0;                   ///< farDepth, but no deeper than View::sceneDepth
     double nearLit = 0.0, farLit = 0.0;      ///< metres of view depth, before the walls and in the beam
     double axisLit = 0.0;                    ///< metres along the light's axis to the farthest point before the walls
@@ -32,22 +37,26 @@ struct LightVolume {
     double axisNear = 0.0, axisFar = 0.0;       ///< metres along the light's axis: all that clip planes leave
 };
 
+/// Planes that bound a light's volume where no wall cuts it: those of its shape, then its clip planes.
+using VolumePlanes = InlineVector<glm::dvec4, 6 + maxClipPlanes>;
+VolumePlanes boundingPlanes(const LightVolume& volume);
+
 /// Slices are cut this many half widths from the middle of the view. Beyond the picture nothing shows, but
 /// a rasterizer interpolates in floats: over a polygon a kilometre wide the light-space position would be
-/// off by a tenth of a millimetre in the middle of the picture. Well outside it, so that nothing a driver
-/// does at the picture's edge, multisampling included, ever meets this cut.
+/// off by a tenth of a millimetre in the middle of the picture. The cut lies far outside of the picture, so that
+/// nothing a driver does at the picture's edge meets it, multisampling included.
 inline constexpr double guardBand = 8.0;
 
-/// Planes of view space that bound where the light's cookie lets light through; those that spare something.
+/// Planes of view space that bound where the light's cookie lets light through. Only planes that spare something.
 InlineVector<glm::dvec4, 8> beamSides(const Light& light, const LightPose& pose, const TextureSurvey& cookie);
 
-/// `walls`: planes of view space behind which the light does not come, see walls.h. `beam`: see beamSides(). `seen`
-/// becomes what the view frustum shows of what is lit.
+/// `walls`: planes of view space behind which no light comes, see walls.h. `beam`: see beamSides(). `seen` becomes the
+/// lit part of the volume that the view's frustum shows.
 LightVolume lightVolume(const Light& light, const View& view, const LightPose& pose, std::span<const glm::dvec4> walls,
                         std::span<const glm::dvec4> beam, ConvexPolyhedron& seen);
 
-/// Whether the whole pyramid can be told at a glance to lie outside of the view: Verdict::Drawn where it cannot.
-/// Costs a tenth of what lightVolume() costs. `sides` are viewSides(view, 1).
+/// A quick test of the bounding sphere: why the view does not show the light, or Verdict::Drawn where the sphere does
+/// not tell. Costs a tenth of lightVolume(). `sides` are viewSides(view, 1).
 Verdict hiddenAtAGlance(const Light& light, const View& view, const LightPose& pose, std::span<const glm::dvec4> sides);
 
 /// Left, right, top and bottom of the clip volume |x| <= width * w, |y| <= width * w.
@@ -55,7 +64,7 @@ InlineVector<glm::dvec4, 4> viewSides(const View& view, double width);
 
 /// Metres along the light's axis of a point in view space.
 inline double axisOf(const LightPose& pose, const glm::dvec3& point) {
-    return -(pose.lightFromView * glm::dvec4(point, 1.0)).z;
+    return axisOf(glm::dvec3(pose.lightFromView * glm::dvec4(point, 1.0)));
 }
 
 }  // namespace tyndall

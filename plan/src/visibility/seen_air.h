@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/convex_polyhedron.h"
+#include "shape/light_shape.h"
 #include "visibility/view_pose.h"
 
 namespace tyndall {
@@ -17,13 +18,13 @@ struct SeenAir {
     bool any = false;                         ///< false: surfaces hide all of it
     double nearDepth = 0.0, farDepth = 0.0;   ///< metres of view depth
     double axisNear = 0.0, axisFar = 0.0;     ///< metres along the light's axis
-    glm::dvec2 slideMin{0.0}, slideMax{0.0};  ///< light-space x / w and y / w: slopes, the field of view is +-tan
-    double longest = 0.0;                     ///< metres: no view ray runs farther through it
+    SlopeRange slopes;                        ///< as the lamp sees it
+    double maxLength = 0.0;                   ///< metres: no view ray runs farther through it
 };
 
-/// `seen` is what the view's frustum shows of the volume. A tile shows what lies before its farthest surface.
-/// Conservative: nothing that a pixel shows lies outside of the answer.
-SeenAir seenAir(const ConvexPolyhedron& seen, const View& view, const LightPose& pose,
+/// `seen`: the part of the volume that the view's frustum shows. A tile shows what lies before its farthest surface.
+/// Conservative: the answer holds every point that a pixel shows.
+SeenAir seenAir(const ConvexPolyhedron& seen, const LightShape& shape, const View& view, const LightPose& pose,
                 const std::optional<DepthTiles>& tiles);
 
 }  // namespace tyndall

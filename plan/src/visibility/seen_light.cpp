@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shape/light_shape.h"
 #include "visibility/pixel_size.h"
 
 namespace tyndall {
@@ -43,10 +44,9 @@ SeenLight seenLight(const PlanContext& context, const Light& light, const LightS
     seen.measured = volume.farDepth > volume.nearDepth;
     if (!seen.drawable(options)) return seen;
     const double moved = snapping(view, options, std::min(volume.farLit, volume.farShown));
-    for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
-        volume.planes[i].w += moved;
+    for (glm::dvec4& wall : volume.walls) wall.w += moved;
 
-    if (seen.verdict == Verdict::Drawn) seen.air = seenAir(lit, view, seen.pose, surroundings.depth);
+    if (seen.verdict == Verdict::Drawn) seen.air = seenAir(lit, shapeOf(light), view, seen.pose, surroundings.depth);
     if (!seen.air.any && !whole) seen.verdict = Verdict::BehindTiles;
     return seen;
 }

@@ -16,7 +16,7 @@ struct SeenLight {
     LightPose pose;
     LightVolume volume;
     SeenAir air;
-    InlineVector<glm::dvec4, mostWalls> walls;  ///< view space, as wallsOf() gave them
+    InlineVector<glm::dvec4, maxWalls> walls;  ///< view space, as wallsOf() gave them
     bool measured = false;                      ///< the volume has depths; without them nothing can be drawn of it
 
     /// Whether the light may be drawn: it is seen, or everything is drawn and it has a volume.

@@ -29,7 +29,8 @@ View perspectiveView(const glm::dmat4& worldFromView, double verticalFov, double
         clip = glm::dmat4(nowhere);
         return view;
     }
-    const double scale = 1.0 / std::tan(0.5 * verticalFov);
+    const double halfFov = 0.5 * verticalFov;
+    const double scale = 1.0 / std::tan(halfFov);
     clip[0][0] = scale / aspect;
     clip[1][1] = -scale;  // Vulkan's clip space has y down
     clip[2][3] = -1.0;

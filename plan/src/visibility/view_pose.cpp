@@ -30,8 +30,4 @@ glm::dvec4 viewPlane(const glm::dvec4& worldPlane, const glm::dmat4& worldFromVi
     return unitPlane(glm::dvec4(viewNormal, glm::dot(normal, eye) + worldPlane.w));
 }
 
-glm::dvec4 unitPlane(const glm::dvec4& plane) {
-    return plane / glm::length(glm::dvec3(plane));
-}
-
 }  // namespace tyndall

@@ -4,6 +4,8 @@
 
 #include <glm/glm.hpp>
 
+#include "geometry/plane.h"
+
 namespace tyndall {
 
 struct LightPose {
@@ -16,8 +18,5 @@ LightPose lightPose(const glm::dmat4& worldFromLight, const glm::dmat4& worldFro
 
 /// A world-space plane that keeps dot(n, p) + d >= 0, in view space and with a unit normal.
 glm::dvec4 viewPlane(const glm::dvec4& worldPlane, const glm::dmat4& worldFromView);
-
-/// The same half space with a unit normal.
-glm::dvec4 unitPlane(const glm::dvec4& plane);
 
 }  // namespace tyndall

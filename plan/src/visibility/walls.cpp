@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shape/light_shape.h"
+#include "shape/shadow_projection.h"
+
 namespace tyndall {
 namespace {
 
@@ -10,46 +13,31 @@ struct Candidate {
     std::size_t blocker = 0;
     glm::dvec4 plane{0.0};  ///< light space, the lamp on its positive side
 };
-using Candidates = InlineVector<Candidate, mostWalls>;
+using Candidates = InlineVector<Candidate, maxWalls>;
 
-// Light-space half spaces of the pyramid's sides and far end.
-std::array<glm::dvec4, 5> pyramidPlanes(const Light& light) {
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
-    return {unitPlane({1.0, 0.0, -slope.x, 0.0}), unitPlane({-1.0, 0.0, -slope.x, 0.0}),
-            unitPlane({0.0, 1.0, -slope.y, 0.0}), unitPlane({0.0, -1.0, -slope.y, 0.0}),
-            glm::dvec4{0.0, 0.0, 1.0, light.farPlane}};
+// The largest signed distance to the plane that the volume's cross-section `axis` metres along its axis has.
+double maxSignedDistance(const glm::dvec4& plane, const LightShape& shape, double axis, double sign) {
+    double max = -1e300;
+    for (const glm::dvec3& corner : cornersAt(shape, axis))
+        max = std::max(max, sign * glm::dot(plane, glm::dvec4(corner, 1.0)));
+    return max;
 }
 
-double farthestInside(const glm::dvec4& plane, const Light& light, double axis, double sign) {
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
-    double most = -1e300;
-    for (int corner = 0; corner < 4; ++corner)
-        most =
-            std::max(most, sign * glm::dot(plane, glm::dvec4(axis * glm::dvec3((corner & 1) ? slope.x : -slope.x,
-                                                                               (corner & 2) ? slope.y : -slope.y, -1.0),
-                                                             1.0)));
-    return most;
+// Light-space half spaces of the volume's sides and far end, with unit normals.
+InlineVector<glm::dvec4, 5> unitPlanesBeyondNear(const LightShape& shape) {
+    const FrustumPlanes shapePlanes = planesOf(shape);
+    InlineVector<glm::dvec4, 5> planes;
+    for (const glm::dvec4& side : shapePlanes.sides()) planes.push_back(unitPlane(side));
+    planes.push_back(shapePlanes.far);
+    return planes;
 }
 
-// Over the square of the distance along the axis, by how much a shadow map holds a plane of light space to be too near.
-//
-// With p = z (s, -1) for slopes s, a plane n p + D = 0 has z = D / (n.z - n.xy s), so dz / ds = z^2 n.xy / D.
-// Filtering reads the four nearest texels, whose centres lie up to a texel aside both ways.
-double mapError(const glm::dvec4& plane, const Light& light, std::uint32_t mapSize) {
-    const glm::dvec2 texel = 2.0 * glm::tan(0.5 * light.fov) / static_cast<double>(mapSize);
-    return glm::dot(glm::abs(glm::dvec2(plane)), texel) / plane.w;
-}
+// The bias that keeps a wall's shadow off the air before it delays every shadow of the light by the same length. A wall
+// that needs a larger share of its distance than this is steep to the light: it is treated as an ordinary occluder.
+constexpr double maxMapError = 1.0 / 200.0;
 
-// The bias that keeps a wall's shadow off the air before it lets every shadow of the light begin so much farther from
-// the lamp than it ought to, a share of the distance. A wall that asks for more is steep to the light, and is an
-// occluder like any other.
-constexpr double mostMapError = 1.0 / 200.0;
-
-bool steep(const glm::dvec4& plane, const Light& light, std::uint32_t mapSize) {
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
-    const double grazing = plane.z - glm::dot(glm::abs(glm::dvec2(plane)), slope);
-    const double farthest = grazing * light.farPlane > plane.w ? plane.w / grazing : light.farPlane;
-    return mapError(plane, light, mapSize) * farthest > mostMapError;
+bool steep(const glm::dvec4& plane, const LightShape& shape, std::uint32_t mapSize) {
+    return mapErrorShare(shape, plane, mapSize, maxAxisOn(plane, shape)) > maxMapError;
 }
 
 // World-space corners of the picture on the view's near plane, where its rays begin.
@@ -67,13 +55,13 @@ std::array<glm::dvec3, 4> nearCorners(const View& view) {
     return corners;
 }
 
-// Blockers whose plane crosses the pyramid beyond its near end, largest first.
-Candidates candidatesFor(const Light& light, const View& view, std::span<const BlockerBounds> bounds,
+// The largest blockers whose planes cross the volume beyond its near end.
+Candidates candidatesFor(const Light& light, const LightShape& shape, const View& view, std::span<const BlockerBounds> bounds,
                          std::uint32_t mapSize) {
     const glm::dvec3 lamp(light.worldFromLight[3]);
     const std::array<glm::dvec3, 4> picture = nearCorners(view);
     const glm::dmat3 lightFromWorld = glm::inverse(glm::dmat3(light.worldFromLight));
-    const std::array<glm::dvec4, 5> sides = pyramidPlanes(light);
+    const InlineVector<glm::dvec4, 5> sides = unitPlanesBeyondNear(shape);
     Candidates found;
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const BlockerBounds& blocker = bounds[i];
@@ -93,11 +81,11 @@ Candidates candidatesFor(const Light& light, const View& view, std::span<const B
         const double sign = lampDistance > 0.0 ? 1.0 : -1.0;
         lampDistance *= sign;
         const glm::dvec4 plane(sign * (lightFromWorld * normal), lampDistance);
-        if (farthestInside(plane, light, light.nearPlane, -1.0) >= 0.0) continue;  // would cut the near end
-        if (farthestInside(plane, light, light.farPlane, -1.0) <= 0.0) continue;   // beyond the far end
-        if (steep(plane, light, mapSize)) continue;
+        if (maxSignedDistance(plane, shape, light.nearPlane, -1.0) >= 0.0) continue;  // would cut the near end
+        if (maxSignedDistance(plane, shape, light.farPlane, -1.0) <= 0.0) continue;   // beyond the far end
+        if (steep(plane, shape, mapSize)) continue;
         Candidate candidate{i, plane};
-        if (found.size() < mostWalls) {
+        if (found.size() < maxWalls) {
             found.push_back(candidate);
         } else {
             Candidate* smallest = std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
@@ -109,7 +97,7 @@ Candidates candidatesFor(const Light& light, const View& view, std::span<const B
     return found;
 }
 
-// Coordinates in which the plane is z = 0, so that slicePolygon() with depth 0 cuts in it.
+// Coordinates in which the plane is z = 0: slicePolygon() with depth 0 then cuts within the plane.
 struct Frame {
     glm::dmat3 planeFromLight;
     glm::dvec3 origin;  ///< of light space
@@ -126,48 +114,57 @@ glm::dvec4 inFrame(const Frame& frame, const glm::dvec4& plane) {
     return {frame.planeFromLight * glm::dvec3(plane), glm::dot(glm::dvec3(plane), frame.origin) + plane.w};
 }
 
-// What lies outside of the triangle, in convex pieces.
-void subtract(const SlicePolygon& whole, std::array<glm::dvec2, 3> triangle, std::vector<SlicePolygon>& left) {
+// A half plane adds one corner to a convex polygon; the second is for rounding.
+constexpr std::size_t maxCornersToSplit = SlicePolygon::capacity - 2;
+
+// Adds to `left` the convex pieces of `whole` outside of the triangle. False: a piece has too many corners to be split.
+bool subtract(const SlicePolygon& whole, std::array<glm::dvec2, 3> triangle, std::vector<SlicePolygon>& left) {
     const auto turn = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
     if (turn(triangle[1] - triangle[0], triangle[2] - triangle[0]) < 0.0) std::swap(triangle[1], triangle[2]);
     SlicePolygon rest = whole;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec2 side = triangle[(i + 1) % 3] - triangle[i];
         const double length = glm::length(side);
-        if (length == 0.0) return left.push_back(whole);  // no triangle
+        if (length == 0.0) {  // no triangle
+            left.push_back(whole);
+            return true;
+        }
+        if (rest.count > maxCornersToSplit) return false;
         const glm::dvec2 inward = glm::dvec2(-side.y, side.x) / length;
         const double offset = -glm::dot(inward, triangle[i]);
         SlicePolygon inside, outside;
         split(rest, inward, offset, inside, outside);
         if (outside.count >= 3) left.push_back(outside);
-        if (inside.count < 3) return;
+        if (inside.count < 3) return true;
         rest = inside;
     }
+    return true;
 }
 
-// More pieces than this, and looking for the last crack costs more than drawing.
-constexpr std::size_t mostPieces = 256;
-// Of the face's diameter: how wide the cracks are at most that rounding leaves between triangles in 32-bit floats.
+// With more pieces than this, the search for the last crack costs more than drawing what lies behind.
+constexpr std::size_t maxPieces = 256;
+// Share of the face's diameter: rounding leaves cracks of at most this width between triangles in 32-bit floats.
 constexpr double crack = 1e-6;
 
 // A piece's area over its length.
 double width(const SlicePolygon& piece) {
-    glm::dvec2 least(piece.corners[0]), most = least;
+    glm::dvec2 min(piece.corners[0]), max = min;
     for (std::size_t i = 1; i < piece.count; ++i) {
-        least = glm::min(least, piece.corners[i]);
-        most = glm::max(most, piece.corners[i]);
+        min = glm::min(min, piece.corners[i]);
+        max = glm::max(max, piece.corners[i]);
     }
-    return area(piece) / glm::length(most - least);
+    return area(piece) / glm::length(max - min);
 }
 
-bool covered(const Candidate& wall, const Candidates& walls, const Light& light, const Blocker& blocker,
-             WallScratch& scratch, bool& touched) {
+// Whether the blocker's triangles cover the wall's face. `touched`: there is such a face.
+bool covered(const Candidate& wall, const Candidates& walls, const Light& light, const LightShape& shape,
+             const Blocker& blocker, WallScratch& scratch, bool& touched) {
     const Frame frame = frameOf(wall.plane);
-    InlineVector<glm::dvec4, 5 + mostWalls> planes;
-    for (const glm::dvec4& plane : pyramidPlanes(light)) planes.push_back(inFrame(frame, plane));
+    InlineVector<glm::dvec4, 5 + maxWalls> planes;
+    for (const glm::dvec4& plane : unitPlanesBeyondNear(shape)) planes.push_back(inFrame(frame, plane));
     for (const Candidate& other : walls)
         if (other.blocker != wall.blocker) planes.push_back(inFrame(frame, other.plane));
-    const double half = 4.0 * light.farPlane * glm::length(glm::dvec3(glm::tan(0.5 * light.fov), 1.0));
+    const double half = 4.0 * maxDistance(shape);
     const SlicePolygon face = slicePolygon(glm::dvec2(-half), glm::dvec2(half), {planes.data(), planes.size()}, 0.0);
     touched = face.count >= 3;
     if (!touched) return true;
@@ -184,15 +181,13 @@ bool covered(const Candidate& wall, const Candidates& walls, const Light& light,
         std::array<glm::dvec2, 3> triangle;
         for (std::size_t i = 0; i < 3; ++i) triangle[i] = glm::dvec2(planeFromWorld * (corners[i] - lamp) - origin);
         scratch.left.clear();
-        for (const SlicePolygon& piece : scratch.uncovered) subtract(piece, triangle, scratch.left);
+        for (const SlicePolygon& piece : scratch.uncovered)
+            if (!subtract(piece, triangle, scratch.left)) return false;
         std::swap(scratch.left, scratch.uncovered);
         double widest = 0.0;
-        for (const SlicePolygon& piece : scratch.uncovered) {
-            if (piece.count == SlicePolygon::capacity) return false;  // corners may have been dropped
-            widest = std::max(widest, width(piece));
-        }
+        for (const SlicePolygon& piece : scratch.uncovered) widest = std::max(widest, width(piece));
         if (widest <= crack * diameter) return true;
-        if (scratch.uncovered.size() > mostPieces) return false;
+        if (scratch.uncovered.size() > maxPieces) return false;
     }
     return false;
 }
@@ -221,16 +216,17 @@ BlockerBounds boundsOf(const Blocker& blocker) {
     return bounds;
 }
 
-InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
+InlineVector<glm::dvec4, maxWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
                                             std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
                                             std::uint32_t mapSize, WallScratch& scratch) {
-    Candidates walls = candidatesFor(light, view, bounds, mapSize);
-    // A wall that is not covered is none; without it the others' faces grow, and are looked at again.
-    std::array<bool, mostWalls> touched{};
+    const LightShape shape = shapeOf(light);
+    Candidates walls = candidatesFor(light, shape, view, bounds, mapSize);
+    // A candidate that is not covered is no wall. Without it the faces of the others grow, so they are tested again.
+    std::array<bool, maxWalls> touched{};
     for (bool changed = true; changed && !walls.empty();) {
         changed = false;
         for (std::size_t i = 0; i < walls.size() && !changed; ++i) {
-            if (covered(walls[i], walls, light, blockers[walls[i].blocker], scratch, touched[i])) continue;
+            if (covered(walls[i], walls, light, shape, blockers[walls[i].blocker], scratch, touched[i])) continue;
             Candidates kept;
             for (std::size_t k = 0; k < walls.size(); ++k)
                 if (k != i) kept.push_back(walls[k]);
@@ -238,7 +234,7 @@ InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view
             changed = true;
         }
     }
-    InlineVector<glm::dvec4, mostWalls> planes;
+    InlineVector<glm::dvec4, maxWalls> planes;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         if (!touched[i]) continue;  // the others keep the light from it
         const Candidate& wall = walls[i];
@@ -250,10 +246,11 @@ InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view
 
 double mapErrorAt(std::span<const glm::dvec4> walls, const Light& light, const LightPose& pose, double axisLit,
                   std::uint32_t mapSize) {
-    double most = 0.0;
+    const LightShape shape = shapeOf(light);
+    double max = 0.0;
     for (const glm::dvec4& wall : walls)
-        most = std::max(most, mapError(unitPlane(wall * pose.viewFromLight), light, mapSize));
-    return most * axisLit * axisLit;
+        max = std::max(max, mapErrorShare(shape, unitPlane(wall * pose.viewFromLight), mapSize, axisLit));
+    return max * axisLit;
 }
 
 }  // namespace tyndall

@@ -1,8 +1,8 @@
 // Where blockers end a light's volume: the floor that a beam ends on, the corner of a room.
 //
-// Take the planes of some blockers. What the lamp sees of them without crossing another bounds a convex part of
-// the pyramid. Where the blockers' triangles cover all of that part's faces on their planes, every ray of the lamp
-// that leaves it is blocked: behind them is umbra, and neither slices nor a shadow map are called for.
+// The planes of some blockers bound a convex part of the light's volume: the part on the lamp's side of all of them.
+// That part has faces on the blockers' planes. Where the blockers' triangles cover all of these faces, they block every
+// ray of the lamp that leaves the part: behind them is umbra, which needs neither slices nor a shadow map.
 #pragma once
 
 #include <tyndall/light.h>
@@ -29,7 +29,7 @@ struct BlockerBounds {
 
 BlockerBounds boundsOf(const Blocker& blocker);
 
-inline constexpr std::size_t mostWalls = 4;
+inline constexpr std::size_t maxWalls = 4;
 
 /// Metres within which a surface counts as the wall itself, for a wall that lies `distance` metres from the lamp.
 inline double wallMargin(double distance) {
@@ -41,19 +41,19 @@ struct WallScratch {
     std::vector<SlicePolygon> uncovered, left;
 };
 
-/// Planes of view space, unit normals, that keep the side where the light comes. Empty unless the blockers' triangles
-/// cover all of the pyramid between them. Only blockers with the lamp and all of the picture's near plane on one side
-/// count: from the other side the eye would see how a shadow map frays at them. They lie wallMargin() behind the
-/// triangles, so that no slice ends before the surface does. A wall so steep to the light that a shadow map of
-/// `mapSize` texels knows it by mapErrorAt() over 1/200 of its distance only is none. `bounds` has one entry for each
-/// blocker.
-InlineVector<glm::dvec4, mostWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
+/// Planes of view space, unit normals, that keep the side of the lamp. Empty unless the blockers' triangles cover the
+/// light's whole volume together. A blocker counts only where the lamp and all of the picture's near plane lie on the
+/// same side of it: from the other side the eye would see how a shadow map frays at it. The planes lie wallMargin()
+/// behind the triangles, so that no slice ends before the surface does. A blocker is too steep to be a wall where
+/// mapErrorAt() is more than 1/200 of its distance for a shadow map of `mapSize` texels a side. `bounds` has one entry
+/// for each blocker.
+InlineVector<glm::dvec4, maxWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
                                             std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
                                             std::uint32_t mapSize, WallScratch& scratch);
 
-/// Metres along the light's axis by which a shadow map, which knows surfaces at its texels' centres alone, holds these
-/// walls to be too near to the lamp. With less of a bias they would throw shadows on the air before them. `axisLit`:
-/// how far it is to the farthest point before them.
+/// Metres along the light's axis by which a shadow map holds these walls to be too near to the lamp: it knows surfaces
+/// only at the centres of its texels. With a smaller bias they would throw shadows on the air before them. `axisLit`:
+/// metres to the farthest point before them.
 double mapErrorAt(std::span<const glm::dvec4> walls, const Light& light, const LightPose& pose, double axisLit,
                   std::uint32_t mapSize);
 
