@@ -19,31 +19,11 @@ Outcome<Size> parseSize(const std::string& text) {
     return size;
 }
 
-namespace {
-
-constexpr int everyTerm = 7;
-
-Terms termsOf(int bits) {
-    return {(bits & 4) != 0, (bits & 2) != 0, (bits & 1) != 0};
-}
-
-std::string_view nameOf(const Terms& terms) {
-    return techniqueName(terms.noise, terms.shadow, terms.cookie);
-}
-
-}  // namespace
-
-std::optional<Terms> termsOf(const std::string& technique) {
-    for (int bits = everyTerm; bits >= 0; --bits)
-        if (technique == nameOf(termsOf(bits))) return termsOf(bits);
-    return std::nullopt;
-}
-
-Outcome<void> checkTechnique(const std::string& name) {
-    if (termsOf(name)) return {};
+Outcome<TermSet> parseTechnique(const std::string& name) {
+    if (const auto terms = termsOf(std::string_view(name))) return *terms;
     std::string names;
-    for (int bits = everyTerm; bits >= 0; --bits)
-        names += (names.empty() ? "" : ", ") + std::string(nameOf(termsOf(bits)));
+    for (std::size_t i = TermSet::count; i-- > 0;)
+        names += (names.empty() ? "" : ", ") + std::string(techniqueName(TermSet::fromIndex(i)));
     return fail("--technique: slices.fx has no \"{}\"; it has {}", name, names);
 }
 

@@ -38,7 +38,7 @@ struct ViewOptions {
 constexpr int defaultMostSlices = 256;
 
 struct ShaftOptions {
-    std::optional<std::string> technique;
+    std::optional<TermSet> terms;  ///< of every light; absent: what the view calls for
     Accumulation accumulation = Accumulation::Rgba16f;
     std::optional<int> planes;      ///< so many equal slabs a light; absent: as many as needed
     std::optional<int> mostSlices;  ///< but not more than that; absent: defaultMostSlices
@@ -73,7 +73,7 @@ struct ReferenceOptions {
     ViewOptions view;  ///< its layer is not looked at: a reference is of the shafts alone
     std::string output;
     study::Mode mode = study::Mode::Ideal;
-    std::optional<std::string> technique;  ///< absent: each light's own terms
+    std::optional<TermSet> terms;  ///< absent: each light's own
     double accuracy = 1e-8;
     unsigned threads = 0;
     std::uint32_t shadowSize = 1024;  ///< hardware mode
@@ -98,15 +98,7 @@ struct CompareOptions {
 /// "640x360". Errors: anything else, a side of 0 or over longestSide.
 Outcome<Size> parseSize(const std::string& text);
 
-/// What a technique of slices.fx multiplies the light by.
-struct Terms {
-    bool noise = false, shadow = false, cookie = false;
-};
-
-/// Absent for what is no name of slices.fx.
-std::optional<Terms> termsOf(const std::string& technique);
-
-/// A name of slices.fx. Errors: another one; the message lists all.
-Outcome<void> checkTechnique(const std::string& name);
+/// The terms of a technique of slices.fx. Errors: another name; the message lists all.
+Outcome<TermSet> parseTechnique(const std::string& name);
 
 }  // namespace tyndall::app

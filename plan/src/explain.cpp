@@ -20,19 +20,6 @@ std::string listed(const std::vector<std::string>& words) {
     return sentence;
 }
 
-bool asked(TermVerdict verdict) {
-    return verdict != TermVerdict::NotAsked;
-}
-
-struct Term {
-    const char* name;
-    TermVerdict verdict;
-};
-
-std::array<Term, 3> termsOf(const PlannedLight& light) {
-    return {{{"noise", light.noiseVerdict}, {"shadow", light.shadowVerdict}, {"cookie", light.cookieVerdict}}};
-}
-
 // Metres with three digits, for reading.
 std::string metres(double length) {
     char digits[32];
@@ -43,10 +30,10 @@ std::string metres(double length) {
 std::string drawnReason(const PlannedLight& light) {
     std::vector<std::string> wanted, spared;
     bool forced = false;
-    for (const Term& term : termsOf(light)) {
-        forced = forced || term.verdict == TermVerdict::Forced || term.verdict == TermVerdict::Overruled;
-        (term.verdict == TermVerdict::Drawn || term.verdict == TermVerdict::Forced ? wanted : spared)
-            .push_back(term.name);
+    for (const Term term : allTerms) {
+        const TermVerdict verdict = light.verdicts[term];
+        forced = forced || verdict == TermVerdict::Forced || verdict == TermVerdict::Overruled;
+        (isDrawn(verdict) ? wanted : spared).emplace_back(nameOf(term));
     }
     if (forced) return "The options ask for this technique, whatever the light calls for.";
     if (wanted.empty()) return "The view calls for none of " + listed(spared) + ".";
@@ -110,17 +97,18 @@ std::string reason(const PlannedLight& light, const View& view) {
 std::vector<std::string> savings(const PlannedLight& light) {
     std::vector<std::string> sentences;
     if (!light.drawn) return sentences;
-    if (light.shadowVerdict == TermVerdict::NoOccluder)
+    if (light.verdicts[Term::Shadow] == TermVerdict::NoOccluder)
         sentences.push_back("No shadow map: nothing stands between the lamp and the air that is seen.");
-    for (const Term& term : termsOf(light)) {
-        if (term.verdict == TermVerdict::Uniform)
-            sentences.push_back("No " + std::string(term.name) +
+    for (const Term term : allTerms) {
+        const std::string name(nameOf(term));
+        if (light.verdicts[term] == TermVerdict::Uniform)
+            sentences.push_back("No " + name +
                                 ": it is the same all over what is seen; a factor takes its place.");
-        if (term.verdict == TermVerdict::Invisible)
-            sentences.push_back("No " + std::string(term.name) +
+        if (light.verdicts[term] == TermVerdict::Invisible)
+            sentences.push_back("No " + name +
                                 ": it differs by less than the display shows; its mean takes its place.");
-        if (term.verdict == TermVerdict::Overruled && asked(term.verdict))
-            sentences.push_back("No " + std::string(term.name) + ": the options leave it out.");
+        if (light.verdicts[term] == TermVerdict::Overruled)
+            sentences.push_back("No " + name + ": the options leave it out.");
     }
     if (light.walls > 0)
         sentences.push_back("Ends at " + std::string(light.walls == 1 ? "a wall" : "walls") + " that hold" +

@@ -4,7 +4,6 @@
 #include "geometry/plan_geometry.h"
 #include "plan_groups.h"
 #include "plan_stages.h"
-#include "needs/plan_technique.h"
 #include "slice_constants.h"
 
 namespace tyndall {
@@ -79,10 +78,9 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
         PlannedLight& planned = plan.lights[candidate.light];
         const Light& light = lights[candidate.light];
         if (planned.verdict != Verdict::Drawn) continue;
-        const Terms terms{planned.noise, planned.shadow, planned.cookie};
         const SliceConstants constants =
-            sliceConstants(light, view, options, candidate.pose, candidate.volume, candidate.slabs, terms,
-                           candidate.shadowBias, {candidate.cookieFactor, candidate.noiseFactor});
+            sliceConstants(light, view, options, candidate.seen.pose, candidate.seen.volume, candidate.slabs, planned.terms,
+                           candidate.shadowBias, candidate.needed.standIns);
         if (!isFinite(constants))
             return broken(
                 placeOf(light, candidate.light) +
@@ -90,9 +88,8 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
                 "ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
         plan.constants.push_back(constants);
         planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
-        const LightVolume& volume = candidate.volume;
+        const LightVolume& volume = candidate.seen.volume;
         plan.walls.insert(plan.walls.end(), volume.planes.end() - volume.walls, volume.planes.end());
-        planned.technique = techniqueName(terms);
         planned.nearDepth = candidate.slabs.nearDepth;
         planned.farDepth = candidate.slabs.farDepth;
         planned.drawn = true;
@@ -123,8 +120,7 @@ Result<void> Planner::plan(std::span<const Light> lights, const View& view, cons
                               surroundings,
                               impl_->occluders,
                               impl_->blockers,
-                              viewSides(view, 1.0),
-                              options.technique ? termsOf(*options.technique) : std::nullopt};
+                              viewSides(view, 1.0)};
 
     plan.geometry = options.geometry;
     plan.accumulation = options.accumulation;

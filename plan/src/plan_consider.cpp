@@ -2,7 +2,6 @@
 #include <limits>
 
 #include "needs/brightness.h"
-#include "visibility/pixel_size.h"
 #include "plan_stages.h"
 
 namespace tyndall {
@@ -15,19 +14,6 @@ Verdict darkness(const Light& light, Look look) {
     if (light.density == 0.0) return Verdict::NoDensity;
     if (light.intensity == 0.0 && light.ambient == 0.0) return Verdict::NoStrength;
     return Verdict::Drawn;
-}
-
-TermVerdict verdictOf(bool asked, const PlanContext& context, bool Terms::*term) {
-    if (context.technique) {
-        if ((*context.technique).*term) return TermVerdict::Forced;
-        return asked ? TermVerdict::Overruled : TermVerdict::NotAsked;
-    }
-    if (context.options.everything) return TermVerdict::Forced;
-    return asked ? TermVerdict::Drawn : TermVerdict::NotAsked;
-}
-
-bool uniform(const FactorRange& range) {
-    return range.least == range.most;
 }
 
 double strongest(const glm::dvec3& v) {
@@ -49,13 +35,6 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
     return detail;
 }
 
-// Metres that a rasterizer may move an edge of a slice, whose corners it rounds to 1/256 pixel: so much farther behind
-// a wall slices end, or a pixel whose slice lies just before the wall would lose its light.
-double snapping(const View& view, const PlanOptions& options, double farthest) {
-    constexpr double diagonal = 1.4143 / 512.0;
-    return diagonal * pixelSize(view, options.pictureHeight, farthest);
-}
-
 // Metres of air at the lamp's end whose light is half a display step.
 double visibleSlab(const Light& light, const PlanOptions& options) {
     const double perMetre = light.density * strongest(light.colour) / (4.0 * 3.14159265358979) *
@@ -67,88 +46,40 @@ double visibleSlab(const Light& light, const PlanOptions& options) {
 
 bool consider(const PlanContext& context, const Light& light, const LightSurvey& survey, PlannedLight& planned,
               Candidate& candidate, ConsiderScratch& scratch) {
-    const auto& [view, options, surroundings, occluders, blockers, sides, technique] = context;
+    const PlanOptions& options = context.options;
     const bool whole = options.everything;
     planned.verdict = darkness(light, options.look);
     if (planned.verdict != Verdict::Drawn && !whole) return false;
-    candidate.pose = lightPose(light.worldFromLight, view.worldFromView);
-    const LightPose& pose = candidate.pose;
-    if (!whole) planned.verdict = hiddenAtAGlance(light, view, pose, {sides.data(), sides.size()});
-    if (planned.verdict != Verdict::Drawn && !whole) return false;
 
-    planned.noiseVerdict = verdictOf(light.noise.has_value(), context, &Terms::noise);
-    planned.shadowVerdict = verdictOf(light.shadow, context, &Terms::shadow);
-    planned.cookieVerdict = verdictOf(light.cookie, context, &Terms::cookie);
+    const PerTerm<TermVerdict> asked = planned.verdicts = askedTerms(light, options);
+    SeenLight& seen = candidate.seen = seenLight(context, light, survey, asked, scratch.walls);
+    planned.verdict = seen.verdict;
+    planned.volumeNear = seen.volume.axisNear;
+    planned.volumeFar = seen.volume.axisFar;
+    planned.walls = static_cast<std::uint32_t>(seen.volume.walls);
+    planned.seenNear = seen.air.axisNear;
+    planned.seenFar = seen.air.axisFar;
+    if (!seen.drawable(options)) return false;
 
-    // Behind a wall there is no light only where shadows are drawn. Quads have no clip distance to spare for them.
-    InlineVector<glm::dvec4, mostWalls> walls;
-    if (light.shadow && planned.shadowVerdict != TermVerdict::Overruled && options.geometry == Geometry::ExactPolygons)
-        walls = wallsOf(light, view, pose, surroundings.blockers, blockers, options.shadowMapSize, scratch.walls);
-    ConvexPolyhedron seen;
-    InlineVector<glm::dvec4, 8> beam;
-    if (light.cookie && survey.cookie && planned.cookieVerdict != TermVerdict::Overruled)
-        beam = beamSides(light, pose, *survey.cookie);
-    candidate.volume = lightVolume(light, view, pose, {walls.data(), walls.size()}, {beam.data(), beam.size()}, seen);
-    LightVolume& volume = candidate.volume;
-    const bool hasDepth = volume.farDepth > volume.nearDepth;
-    planned.verdict = volume.hidden;
-    if (planned.verdict != Verdict::Drawn && !(whole && hasDepth)) return false;
-    planned.volumeNear = volume.axisNear;
-    planned.volumeFar = volume.axisFar;
-    planned.walls = static_cast<std::uint32_t>(volume.walls);
-    const double moved = snapping(view, options, std::min(volume.farLit, volume.farShown));
-    for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
-        volume.planes[i].w += moved;
+    NeededTerms& needed = candidate.needed = neededTerms(context, light, survey, seen, asked, scratch.shades);
+    planned.verdict = needed.verdict;
+    planned.verdicts = needed.verdicts;
+    if (planned.verdict != Verdict::Drawn) return false;
+    planned.terms = needed.terms();
+    planned.firstOccluder = whole ? light.nearPlane : needed.shadow.firstOccluder;
 
-    if (planned.verdict == Verdict::Drawn) candidate.air = seenAir(seen, view, pose, surroundings.depth);
-    const SeenAir& air = candidate.air;
-    if (!air.any && !whole) planned.verdict = Verdict::BehindTiles;
-    if (planned.verdict != Verdict::Drawn && !whole) return false;
-    planned.seenNear = air.axisNear;
-    planned.seenFar = air.axisFar;
-
-    const bool physical = options.look == Look::Physical;
-    if (air.any && physical) {
-        candidate.cookie = cookieRange(light, air, survey.cookie);
-        candidate.noise = noiseRange(light, survey.noise);
-    }
-    if (!whole && !technique && physical) {
-        if (candidate.cookie.largest() == 0.0) planned.verdict = Verdict::DarkCookie;
-        if (candidate.noise.largest() == 0.0) planned.verdict = Verdict::NoDust;
-        if (planned.verdict != Verdict::Drawn) return false;
-        if (light.cookie && uniform(candidate.cookie)) {
-            planned.cookieVerdict = TermVerdict::Uniform;
-            candidate.cookieFactor = candidate.cookie.middle();
-        }
-        if (light.noise && uniform(candidate.noise)) {
-            planned.noiseVerdict = TermVerdict::Uniform;
-            candidate.noiseFactor = candidate.noise.middle().x;
-        }
-    }
-
-    candidate.shadowBias = std::max(options.shadowBias, mapErrorAt({walls.data(), walls.size()}, light, pose,
-                                                                   volume.axisLit, options.shadowMapSize));
-    candidate.shadow = {false, light.nearPlane, light.nearPlane, {}, {}};
-    if (light.shadow && !technique && air.any && surroundings.occluders) {
-        candidate.shadow = shadowNeed(light, pose, air, {walls.data(), walls.size()}, occluders, options.shadowMapSize,
-                                      scratch.shades);
-        candidate.divisible = candidate.shadow.needed;
-        if (!whole && !candidate.shadow.needed) planned.shadowVerdict = TermVerdict::NoOccluder;
-    }
-    planned.firstOccluder = whole ? light.nearPlane : candidate.shadow.firstOccluder;
-
-    planned.noise = planned.noiseVerdict == TermVerdict::Drawn || planned.noiseVerdict == TermVerdict::Forced;
-    planned.shadow = planned.shadowVerdict == TermVerdict::Drawn || planned.shadowVerdict == TermVerdict::Forced;
-    planned.cookie = planned.cookieVerdict == TermVerdict::Drawn || planned.cookieVerdict == TermVerdict::Forced;
-    candidate.slabs =
-        slabsOf(light, view, options, pose, volume, detailOf(light, survey, options), visibleSlab(light, options));
+    candidate.shadowBias =
+        std::max(options.shadowBias, mapErrorAt({seen.walls.data(), seen.walls.size()}, light, seen.pose,
+                                                seen.volume.axisLit, options.shadowMapSize));
+    candidate.slabs = slabsOf(light, context.view, options, seen.pose, seen.volume, detailOf(light, survey, options),
+                              visibleSlab(light, options));
     planned.brightest = std::numeric_limits<double>::infinity();
-    if (physical && air.any) {
-        candidate.base = brightestWithoutTerms(light, air, candidate.slabs);
-        const double factor = candidate.cookie.largest() * candidate.noise.largest();
+    if (options.look == Look::Physical && seen.air.any) {
+        candidate.base = brightestWithoutTerms(light, seen.air, candidate.slabs);
+        double factor = 1.0;
+        for (const Term term : allTerms) factor *= needed.ranges[term].largest();
         if (std::isfinite(factor)) planned.brightest = candidate.base * factor;
     }
-    planned.verdict = Verdict::Drawn;
     return true;
 }
 

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "visibility/light_volume.h"
-#include "needs/needs.h"
-#include "needs/plan_technique.h"
+#include "needs/needed_terms.h"
+#include "plan_context.h"
 #include "visibility/seen_air.h"
 #include "slabs/slabs.h"
+#include "slice_constants.h"
 #include "visibility/walls.h"
 
 namespace tyndall {
@@ -18,28 +19,11 @@ namespace tyndall {
 /// A light that its strength and its place in the picture do not rule out.
 struct Candidate {
     std::uint32_t light = 0;
-    LightPose pose;
-    LightVolume volume;
-    SeenAir air;
+    SeenLight seen;
+    NeededTerms needed;
     Slabs slabs;
-    ShadowNeed shadow;
-    double base = 0.0;             ///< brightestWithoutTerms()
-    FactorRange cookie, noise;     ///< over what is seen
-    glm::dvec3 cookieFactor{1.0};  ///< stands in for a cookie that is not drawn
-    double noiseFactor = 1.0;
+    double base = 0.0;        ///< brightestWithoutTerms()
     double shadowBias = 0.0;  ///< metres along the light's axis
-    bool divisible = false;   ///< into what `shadow` says may lie in shadow and the rest
-};
-
-/// What stays the same for all lights of one plan.
-struct PlanContext {
-    const View& view;
-    const PlanOptions& options;
-    const Surroundings& surroundings;
-    std::span<const OccluderBounds> occluders;
-    std::span<const BlockerBounds> blockers;
-    InlineVector<glm::dvec4, 4> sides;  ///< of the view
-    std::optional<Terms> technique;     ///< that the options ask for
 };
 
 /// Working memory of consider().
@@ -56,7 +40,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
 struct Omission {
     double error;  ///< radiance
     std::uint32_t candidate;
-    enum class Kind : std::uint8_t { Light, Noise, Cookie } kind;
+    std::optional<Term> term;  ///< absent: the whole light
 };
 
 /// Leaves out what together stays under a quarter of a display step, the faintest first: lights become TooFaint, terms

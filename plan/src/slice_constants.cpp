@@ -39,17 +39,20 @@ glm::vec4 shadowConstants(const Light& light, const PlanOptions& options, double
     return glm::dvec4(-n / (f - n), n * f / (f - n), options.shadowMapSize, std::min(bias, 0.99 * n));
 }
 
-glm::vec4 dustConstants(const Light& light, const PlanOptions& options, const Terms& terms, double factor) {
+glm::vec4 dustConstants(const Light& light, const PlanOptions& options, TermSet terms, double factor) {
     const bool physical = options.look == Look::Physical;
     const double flat = physical ? factor : article::flatDust;
     // A light without dust of its own, drawn with a noise technique all the same, sees a white texture in
     // its place: with this gain it looks as it would without noise.
-    if (terms.noise && !light.noise) return glm::dvec4(flat, flat, 0.0, 0.0);
+    if (terms.contains(Term::Noise) && !light.noise) return glm::dvec4(flat, flat, 0.0, 0.0);
     const double gain = physical ? light.noise.value_or(Noise{}).gain : article::noiseGain;
     return glm::dvec4(flat, gain, 0.0, 0.0);
 }
 
-glm::vec4 colourConstants(const Light& light, const PlanOptions& options, const glm::dvec3& factor) {
+glm::vec4 colourConstants(const Light& light, const PlanOptions& options, const StandIns& standIns) {
+    glm::dvec3 factor(1.0);
+    for (const Term term : allTerms)
+        if (term != Term::Noise) factor *= standIns[term];  // gDust has the noise's
     const double scattered = options.look == Look::Physical ? light.density / (4.0 * glm::pi<double>()) : 1.0;
     const bool routed = options.accumulation == Accumulation::Rgba8Routed;
     const glm::dvec3 colour = routed ? glm::dvec3(greyOf(light)) : light.colour;
@@ -97,8 +100,8 @@ double targetScale(const PlanOptions& options) {
 }
 
 SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
-                              const LightVolume& volume, const Slabs& slabs, const Terms& terms, double shadowBias,
-                              const StandInFactors& factors) {
+                              const LightVolume& volume, const Slabs& slabs, TermSet terms, double shadowBias,
+                              const StandIns& standIns) {
     SliceConstants constants{};
     constants.clipFromView = view.clipFromView;
     constants.lightFromView = pose.lightFromView;
@@ -109,11 +112,11 @@ SliceConstants sliceConstants(const Light& light, const View& view, const PlanOp
     constants.cookieScale = glm::dvec4(0.5 / glm::tan(0.5 * light.fov), 0.0, 0.0);
     constants.attenuation =
         options.look == Look::Physical ? glm::dvec4(light.intensity, light.ambient, 1.0, 0.0) : article::attenuation;
-    constants.dust = dustConstants(light, options, terms, factors.noise);
+    constants.dust = dustConstants(light, options, terms, standIns[Term::Noise].x);
     const Noise noise = light.noise.value_or(Noise{});
     constants.noise1 = noiseMap(noise.scale, noise.scroll1, options.time);
     constants.noise2 = noiseMap(noise.scale, noise.scroll2, options.time);
-    constants.colour = colourConstants(light, options, factors.cookie);
+    constants.colour = colourConstants(light, options, standIns);
     constants.weight = weightConstants(view, options);
     constants.shadow = shadowConstants(light, options, shadowBias);
     constants.scattering = scatteringConstants(light, view, options);

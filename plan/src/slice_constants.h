@@ -4,7 +4,6 @@
 #include <tyndall/plan.h>
 
 #include "visibility/light_volume.h"
-#include "needs/plan_technique.h"
 #include "slabs/slabs.h"
 #include "visibility/view_pose.h"
 
@@ -14,15 +13,14 @@ namespace tyndall {
 /// group's tint is normalised by, so that the strongest channel uses the whole range of the target.
 double greyOf(const Light& light);
 
-/// What stands in for the terms that are not drawn.
-struct StandInFactors {
-    glm::dvec3 cookie{1.0};
-    double noise = 1.0;
+/// What each term that is not drawn is replaced by: a factor, 1 for those that are drawn.
+struct StandIns : PerTerm<glm::dvec3> {
+    StandIns() { values.fill(glm::dvec3(1.0)); }
 };
 
 SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
-                              const LightVolume& volume, const Slabs& slabs, const Terms& terms, double shadowBias,
-                              const StandInFactors& factors = {});
+                              const LightVolume& volume, const Slabs& slabs, TermSet terms, double shadowBias,
+                              const StandIns& standIns = {});
 
 /// Every number in it is finite.
 bool isFinite(const SliceConstants& constants);

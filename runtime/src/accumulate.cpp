@@ -40,17 +40,16 @@ Result<void> checkPart(const Plan& plan, const PlannedPart& part, std::size_t te
 Result<void> resolve(Renderer::Impl& impl, const Plan& plan, std::span<const PlannedPart> parts,
                      std::span<const LightTextures> textures, const PassTarget& target, bool& neutral) {
     impl.draws.clear();
-    std::string_view technique;  // of the part before: parts come sorted by it
+    TermSet terms;  // of the part before: parts come sorted by their technique
     PassPipeline pipeline;
     for (const PlannedPart& part : parts) {
         if (auto checked = checkPart(plan, part, textures.size()); !checked) return checked;
-        if (part.technique != technique || !pipeline.handle) {
-            const auto request = slicePipeline(impl, part.technique, target);
-            if (!request) return tl::unexpected(request.error());
-            const auto made = pipelineFor(impl.gpu, impl.pipelines, *request, impl.counters.pipelinesCreated);
+        if (part.terms != terms || !pipeline.handle) {
+            const auto made = pipelineFor(impl.gpu, impl.pipelines, slicePipeline(impl, part.terms, target),
+                                          impl.counters.pipelinesCreated);
             if (!made) return tl::unexpected(made.error());
             pipeline = *made;
-            technique = part.technique;
+            terms = part.terms;
         }
         const LightTextures& given = textures[plan.lights[part.light].light];
         Renderer::Impl::PartDraw draw{&part, pipeline, {}};

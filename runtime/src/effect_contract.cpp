@@ -32,12 +32,12 @@ constexpr BlockMember sliceMembers[] = {
     {"gEye", offsetof(SliceConstants, eye), 16},
 };
 constexpr std::string_view sliceSamplers[] = {"CookieSampler", "ScrollingNoiseSampler", "ShadowMapSampler"};
-constexpr std::string_view sliceTechniques[] = {
-    "clip_noise_shadow_cookie_technique",     "clip_noise_shadow_nocookie_technique",
-    "clip_noise_noshadow_cookie_technique",   "clip_noise_noshadow_nocookie_technique",
-    "clip_nonoise_shadow_cookie_technique",   "clip_nonoise_shadow_nocookie_technique",
-    "clip_nonoise_noshadow_cookie_technique", "clip_nonoise_noshadow_nocookie_technique",
-};
+// All that the effect built in has: one for each set of terms.
+constexpr auto sliceTechniques = [] {
+    std::array<std::string_view, effects::slices::technique_count> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = effects::slices::effect.techniques[i].name;
+    return names;
+}();
 constexpr VertexElement sliceElements[] = {
     {"POSITION0", offsetof(SliceVertex, position), VK_FORMAT_R32G32B32_SFLOAT},
     {"TEXCOORD0", offsetof(SliceVertex, thickness), VK_FORMAT_R32_SFLOAT},

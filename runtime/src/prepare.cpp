@@ -7,11 +7,7 @@ Result<void> Renderer::prepare(const PipelineNeeds& needs, const ParallelFor& pa
     Impl& impl = *impl_;
     std::vector<PipelineRequest> requests;
     const PassTarget target = accumulationTarget(needs.accumulation, needs.depthFormat, needs.depthCompare);
-    for (const std::string_view technique : needs.techniques) {
-        const auto request = slicePipeline(impl, technique, target);
-        if (!request) return tl::unexpected(request.error());
-        requests.push_back(*request);
-    }
+    for (const TermSet terms : needs.terms) requests.push_back(slicePipeline(impl, terms, target));
     if (!requests.empty() && needs.colourFormat != VK_FORMAT_UNDEFINED)
         requests.push_back(compositePipeline(impl, needs.accumulation, needs.blur, needs.colourFormat));
     if (needs.shadowMapFormat != VK_FORMAT_UNDEFINED)

@@ -43,6 +43,8 @@ Result<Renderer> Renderer::create(const DeviceContext& context) {
     auto impl = std::make_unique<Impl>();
     impl->gpu = *gpu;
     impl->slices = *slices;
+    for (const TermSet terms : allTermSets)  // the contract holds them all
+        impl->sliceTechniques[terms.index()] = permgen::find_technique(**slices, techniqueName(terms));
     impl->composite = *composite;
     impl->shadowMap = *shadowMap;
     return Renderer(std::move(impl));

@@ -15,6 +15,7 @@ namespace tyndall {
 struct Renderer::Impl {
     Gpu gpu;
     const permgen::Effect *slices = nullptr, *composite = nullptr, *shadowMap = nullptr;
+    std::array<const permgen::Technique*, TermSet::count> sliceTechniques{};  ///< of `slices`, by TermSet::index()
     PipelineStore pipelines;
     NeutralTextures neutral;
     RendererCounters counters;

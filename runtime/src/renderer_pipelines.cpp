@@ -16,13 +16,9 @@ PassTarget accumulationTarget(Accumulation accumulation, VkFormat depth, VkCompa
     return {.colours = {accumulationFormat(accumulation)}, .depth = depth, .compare = compare};
 }
 
-Result<PipelineRequest> slicePipeline(const Renderer::Impl& impl, std::string_view technique,
-                                      const PassTarget& target) {
-    const permgen::Technique* found = permgen::find_technique(*impl.slices, technique);
-    if (!found)
-        return invalidArgument("slices.fx has no technique " + std::string(technique) +
-                               "; techniqueName() gives those that exist");
-    return PipelineRequest{impl.slices, found->passes.data(), impl.gpu.shaders, target, slicesContract().elements};
+PipelineRequest slicePipeline(const Renderer::Impl& impl, TermSet terms, const PassTarget& target) {
+    const permgen::Technique& technique = *impl.sliceTechniques[terms.index()];
+    return {impl.slices, technique.passes.data(), impl.gpu.shaders, target, slicesContract().elements};
 }
 
 PipelineRequest compositePipeline(const Renderer::Impl& impl, Accumulation accumulation, bool blur, VkFormat colour) {

@@ -8,8 +8,7 @@ namespace tyndall {
 /// `depth` UNDEFINED: no depth test.
 PassTarget accumulationTarget(Accumulation accumulation, VkFormat depth, VkCompareOp compare);
 
-/// Errors: InvalidArgument for a technique that slices.fx does not have.
-Result<PipelineRequest> slicePipeline(const Renderer::Impl& impl, std::string_view technique, const PassTarget& target);
+PipelineRequest slicePipeline(const Renderer::Impl& impl, TermSet terms, const PassTarget& target);
 
 PipelineRequest compositePipeline(const Renderer::Impl& impl, Accumulation accumulation, bool blur, VkFormat colour);
 

@@ -26,9 +26,9 @@ ViewOptions sampleView() {
     return view;
 }
 
-study::FloatImage rendered(const headless::Device& device, const std::string& technique, int slices) {
+study::FloatImage rendered(const headless::Device& device, TermSet terms, int slices) {
     ShaftOptions shafts;
-    shafts.technique = technique;
+    shafts.terms = terms;
     shafts.accumulation = Accumulation::Rgba32f;
     shafts.planes = slices;
     PlannedScene planned = must(planScene(sampleView(), shafts));
@@ -40,9 +40,9 @@ study::FloatImage rendered(const headless::Device& device, const std::string& te
     return image;
 }
 
-study::FloatImage referenceFor(const headless::Device& device, const std::string& technique) {
+study::FloatImage referenceFor(const headless::Device& device, TermSet terms) {
     ViewedScene viewed = must(viewScene(sampleView()));
-    leaveOut(viewed.lights, termsOf(technique).value());
+    for (Light& light : viewed.lights) light = keepOnly(std::move(light), terms);
     const auto scene = must(hardwareScene(device, viewed, sampleView(), ShaftOptions{}.shadowSize));
     study::ReferenceOptions options;
     options.accuracy = 1e-6;
@@ -55,15 +55,9 @@ study::FloatImage referenceFor(const headless::Device& device, const std::string
     return image;
 }
 
-class AccuracyTest : public testing::TestWithParam<int> {
-protected:
-    static std::string technique() {
-        return std::string(techniqueName((GetParam() & 4) != 0, (GetParam() & 2) != 0, (GetParam() & 1) != 0));
-    }
-};
-INSTANTIATE_TEST_SUITE_P(SampleScene, AccuracyTest, testing::Range(0, 8), [](const auto& test) {
-    return std::string(techniqueName((test.param & 4) != 0, (test.param & 2) != 0, (test.param & 1) != 0));
-});
+class AccuracyTest : public testing::TestWithParam<TermSet> {};
+INSTANTIATE_TEST_SUITE_P(SampleScene, AccuracyTest, testing::ValuesIn(allTermSets),
+                         [](const auto& test) { return std::string(techniqueName(test.param)); });
 
 // Slices at the middles of slabs miss each edge along a ray by up to half a slab, so the error falls as one over
 // their number (tests/permutations/reference_test.cpp has the argument), down to what rasterizing on a grid of
@@ -71,10 +65,10 @@ INSTANTIATE_TEST_SUITE_P(SampleScene, AccuracyTest, testing::Range(0, 8), [](con
 TEST_P(AccuracyTest, FallsAsOneOverTheNumberOfSlices) {
     auto device = headless::Device::create({.validation = true});
     ASSERT_TRUE(device) << device.error().message;
-    const study::FloatImage exact = referenceFor(*device, technique());
+    const study::FloatImage exact = referenceFor(*device, GetParam());
     std::vector<double> errors;
     for (const int slices : {100, 1000, 4000}) {
-        const auto metrics = study::compare(rendered(*device, technique(), slices), exact);
+        const auto metrics = study::compare(rendered(*device, GetParam(), slices), exact);
         ASSERT_TRUE(metrics) << metrics.error();
         ASSERT_TRUE(metrics->finite());
         errors.push_back(metrics->relativeL2);

@@ -1,4 +1,4 @@
-// What making the pipelines of all eight techniques costs: one after the other, on all cores, and from a cache that
+// What making the pipelines of all techniques costs: one after the other, on all cores, and from a cache that
 // was sealed and opened again. Drivers keep caches of their own: switch them off to measure (NVIDIA's by
 // __GL_SHADER_DISK_CACHE=0, Mesa's by MESA_SHADER_CACHE_DISABLE=1). lavapipe compiles when it first draws, not here.
 #include <benchmark/benchmark.h>
@@ -53,11 +53,8 @@ std::vector<std::byte> dataOf(VkPipelineCache cache) {
 }
 
 std::uint64_t makeAll(VkPipelineCache cache, const ParallelFor& parallel) {
-    std::array<std::string_view, 8> techniques;
-    for (std::size_t i = 0; i < techniques.size(); ++i)
-        techniques[i] = techniqueName((i & 4) != 0, (i & 2) != 0, (i & 1) != 0);
     Renderer renderer = must(Renderer::create({device().physicalDevice(), device().device(), cache}));
-    must(renderer.prepare({.techniques = techniques,
+    must(renderer.prepare({.terms = allTermSets,
                            .depthFormat = VK_FORMAT_D32_SFLOAT,
                            .colourFormat = VK_FORMAT_R16G16B16A16_SFLOAT,
                            .shadowMapFormat = VK_FORMAT_D32_SFLOAT},

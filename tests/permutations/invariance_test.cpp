@@ -22,7 +22,7 @@ double total(const Picture& picture) {
 // is at most h times that, and two counts differ by at most the sum of their errors. The largest of the samples is not
 // the maximum, but lies within a slab of it; there 1 / d^2 is less by a factor of (1 + slab / near)^2 at most.
 TEST_F(InvarianceTest, BrightnessDoesNotDependOnTheNumberOfSlices) {
-    Shot shot = withTerms(sideView(), false, false, false);
+    Shot shot = withTerms(sideView(), {});
     const std::vector<int> counts{50, 100, 200};
     std::vector<Picture> pictures;
     std::vector<OracleImage> expected;

@@ -79,7 +79,7 @@ void expectWithin(const Drawing& a, const Drawing& b, double relative) {
 
 void expectExactlyZero(const Shot& shot, const Permutation& permutation, const DrawOptions& options = {}) {
     const Drawing drawing = draw(shot, optionsFor(permutation, options));
-    EXPECT_EQ(drawing.plan.lights.at(0).technique, permutation.technique->name);
+    EXPECT_EQ(drawing.plan.lights.at(0).terms, permutation.terms);
     EXPECT_GT(drawing.counters.draws, 0u);
     int nonzero = 0;
     for (const auto& pixel : drawing.sum.pixels)
@@ -91,14 +91,14 @@ void expectExactlyZero(const Shot& shot, const Permutation& permutation, const D
 TEST_P(CookieLawTest, WhiteCookieEqualsNoCookie) {
     Shot white = shotFor(GetParam(), everyTerm());
     white.cookieMap = constantTexture(4, 4, {1.0f, 1.0f, 1.0f, 1.0f});
-    expectIdentical(drawIt(white), draw(withTerms(white, GetParam().noise, GetParam().shadow, false)));
+    expectIdentical(drawIt(white), draw(withTerms(white, GetParam().terms.without(Term::Cookie))));
 }
 
 // Every comparison comes out lit, and bilinear weights of four ones add up to exactly 1.
 TEST_P(ShadowLawTest, EmptyShadowMapEqualsNoShadow) {
     Shot empty = shotFor(GetParam(), everyTerm());
     empty.shadowMap = constantTexture(32, 32, {0.0f});
-    expectIdentical(drawIt(empty), draw(withTerms(empty, GetParam().noise, false, GetParam().cookie)));
+    expectIdentical(drawIt(empty), draw(withTerms(empty, GetParam().terms.without(Term::Shadow))));
 }
 
 TEST_P(CookieLawTest, BlackCookieLeavesNothing) {
@@ -165,7 +165,7 @@ TEST_P(NoiseLawTest, NoiseOfConstantProductEqualsNoNoiseAtTheInverseGain) {
     even.noiseMap = constantTexture(4, 4, {0.5f, 0.6f});
     even.light.noise->gain = 1.0 / 0.3;
     ASSERT_EQ(even.slices, 16);
-    expectWithin(drawIt(even), draw(withTerms(even, false, GetParam().shadow, GetParam().cookie)), 50.0 * kFloatEps);
+    expectWithin(drawIt(even), draw(withTerms(even, GetParam().terms.without(Term::Noise))), 50.0 * kFloatEps);
 }
 
 // A map of which only the middle of texel (0, 0) is looked up is one that holds that texel's value all over. 50 e as
@@ -192,11 +192,11 @@ TEST_P(NoiseLawTest, EachMapHasAScaleAndAPhaseOfItsOwn) {
 
 // A technique may be forced on a light that does not call for it; what it lacks then masks nothing.
 TEST_P(LawTest, ForcedOnALightWithoutItsTermsItDrawsTheSame) {
-    const Shot plain = withTerms(everyTerm(), false, false, false);
+    const Shot plain = withTerms(everyTerm(), {});
     DrawOptions forced;
-    forced.technique = techniqueName(GetParam().noise, GetParam().shadow, GetParam().cookie);
+    forced.terms = GetParam().terms;
     const Drawing drawing = drawIt(plain, forced);
-    EXPECT_EQ(drawing.plan.lights.at(0).technique, GetParam().technique->name);
+    EXPECT_EQ(drawing.plan.lights.at(0).terms, GetParam().terms);
     expectIdentical(drawing, draw(plain));
 }
 

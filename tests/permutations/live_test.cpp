@@ -13,9 +13,9 @@ INSTANTIATE_TEST_SUITE_P(SlicesFx, LiveTest, testing::ValuesIn(permutations()), 
 
 std::set<std::string> samplersOf(const Permutation& permutation) {
     std::set<std::string> names;
-    if (permutation.cookie) names.insert("CookieSampler");
-    if (permutation.noise) names.insert("ScrollingNoiseSampler");
-    if (permutation.shadow) names.insert("ShadowMapSampler");
+    if (permutation.terms.contains(Term::Cookie)) names.insert("CookieSampler");
+    if (permutation.terms.contains(Term::Noise)) names.insert("ScrollingNoiseSampler");
+    if (permutation.terms.contains(Term::Shadow)) names.insert("ShadowMapSampler");
     return names;
 }
 

@@ -15,10 +15,6 @@ struct MaskCase {
     bool article;
 };
 
-const char* nameOf(Term term) {
-    return term == Term::Noise ? "noise" : term == Term::Shadow ? "shadow" : "cookie";
-}
-
 void PrintTo(const MaskCase& one, std::ostream* out) {
     *out << nameOf(one.term) << " of " << one.permutation.name();
 }
@@ -26,7 +22,7 @@ void PrintTo(const MaskCase& one, std::ostream* out) {
 struct MaskName {
     template <class Info>
     std::string operator()(const Info& info) const {
-        return info.param.permutation.name() + "_" + nameOf(info.param.term) +
+        return info.param.permutation.name() + "_" + std::string(nameOf(info.param.term)) +
                (info.param.article ? "_article" : "_physical");
     }
 };
@@ -35,9 +31,8 @@ std::vector<MaskCase> cases() {
     std::vector<MaskCase> all;
     for (const Permutation& permutation : predictedPermutations())
         for (const bool article : {false, true}) {
-            if (permutation.noise) all.push_back({permutation, Term::Noise, article});
-            if (permutation.shadow) all.push_back({permutation, Term::Shadow, article});
-            if (permutation.cookie) all.push_back({permutation, Term::Cookie, article});
+            for (const Term term : {Term::Noise, Term::Shadow, Term::Cookie})
+                if (permutation.terms.contains(term)) all.push_back({permutation, term, article});
         }
     return all;
 }
@@ -70,10 +65,10 @@ TEST_P(MaskTest, IsTheQuotientOfThePictureWithItAndThePictureWithoutIt) {
     for (const NamedShot& named : slicesOf(one)) {
         SCOPED_TRACE(named.name);
         const Drawing masked = draw(named.shot, optionsFor(one.permutation));
-        EXPECT_EQ(masked.plan.lights.at(0).technique, one.permutation.technique->name);
+        EXPECT_EQ(masked.plan.lights.at(0).terms, one.permutation.terms);
         const Drawing open = draw(without(named.shot, one.term));
         EXPECT_EQ(masked.counters.slicesDrawn, 1u);
-        EXPECT_NE(open.plan.lights.at(0).technique, one.permutation.technique->name);
+        EXPECT_NE(open.plan.lights.at(0).terms, one.permutation.terms);
         ASSERT_EQ(whyNotFinite(masked.sum), "");
         ASSERT_EQ(whyNotFinite(open.sum), "");
 
@@ -94,7 +89,7 @@ TEST_P(MaskTest, IsTheQuotientOfThePictureWithItAndThePictureWithoutIt) {
             }
         }
         judgeOracle(one.permutation,
-                    std::string("mask of ") + nameOf(one.term) + ", " + named.name + " slice" +
+                    "mask of " + std::string(nameOf(one.term)) + ", " + named.name + " slice" +
                         (one.article ? ", article" : ""),
                     quotient, 1.0, allowed);
         // A mask that nobody knows would prove nothing.

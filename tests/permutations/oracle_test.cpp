@@ -16,7 +16,7 @@ namespace {
 
 // A lamp at the origin of the world that looks along -Z, evenly bright, in even air.
 Shot plainLamp() {
-    Shot shot = withTerms(sideView(), false, false, false);
+    Shot shot = withTerms(sideView(), {});
     shot.light.worldFromLight = glm::dmat4(1.0);
     shot.light.fov = {std::numbers::pi / 2, std::numbers::pi / 2};
     shot.light.nearPlane = 0.5;
@@ -155,9 +155,9 @@ TEST(Oracle, QuartersAddUpToTheWhole) {
 }
 
 TEST(Oracle, AnEmptyShadowMapBlocksNothingAndAFullOneEverything) {
-    Shot shot = withTerms(sideView(), false, true, false);
+    Shot shot = withTerms(sideView(), {Term::Shadow});
     shot.shadowMap = constantTexture(8, 8, {0.0f});
-    const OracleImage open = oracle(shot), without = oracle(withTerms(shot, false, false, false));
+    const OracleImage open = oracle(shot), without = oracle(withTerms(shot, {}));
     for (std::size_t i = 0; i < open.pixels.size(); ++i) {
         EXPECT_LE(open.pixels[i].rgba[0].lo, without.pixels[i].rgba[0].mid());
         EXPECT_GE(open.pixels[i].rgba[0].hi, without.pixels[i].rgba[0].mid());

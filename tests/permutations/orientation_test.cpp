@@ -13,7 +13,7 @@ class OrientationTest : public GpuTest {};
 
 // An eye at the lamp that sees exactly the lamp's field of view: every pixel looks along one ray of the slide.
 Shot eyeAtTheLamp() {
-    Shot shot = withTerms(sideView(), false, false, false);
+    Shot shot = withTerms(sideView(), {});
     shot.width = 128;
     shot.height = 64;
     const double halfHeight = 0.25;

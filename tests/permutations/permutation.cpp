@@ -13,7 +13,8 @@
 namespace tyndall::test {
 namespace {
 
-constexpr std::array<std::string_view, 3> kTerms{"bScrollingNoise", "bShadowMapping", "bCookie"};
+/// The switch of each term, as slices.fx spells it.
+constexpr PerTerm<std::string_view> kSwitches{{"bScrollingNoise", "bShadowMapping", "bCookie"}};
 
 bool switchOf(const permgen::Technique& technique, std::string_view axis) {
     for (const permgen::Constant& constant : technique.passes[0].pixel.constants)
@@ -22,7 +23,7 @@ bool switchOf(const permgen::Technique& technique, std::string_view axis) {
 }
 
 bool isTerm(const permgen::Constant& constant) {
-    return std::find(kTerms.begin(), kTerms.end(), constant.name) != kTerms.end();
+    return std::ranges::find(kSwitches.values, constant.name) != kSwitches.values.end();
 }
 
 /// Constants stand in the order of the module's axes.
@@ -35,17 +36,10 @@ bool leavesFurtherSwitchesAlone(const permgen::Technique& technique) {
 }
 
 Permutation permutationOf(const permgen::Technique& technique) {
-    for (int bits = 0; bits < 8; ++bits) {
-        const bool noise = (bits & 4) != 0, shadow = (bits & 2) != 0, cookie = (bits & 1) != 0;
-        if (technique.name == techniqueName(noise, shadow, cookie))
-            return {&technique, noise, shadow, cookie, true, true};
-    }
-    return {&technique,
-            switchOf(technique, kTerms[0]),
-            switchOf(technique, kTerms[1]),
-            switchOf(technique, kTerms[2]),
-            false,
-            leavesFurtherSwitchesAlone(technique)};
+    if (const auto terms = termsOf(technique.name)) return {&technique, *terms, true, true};
+    TermSet terms;
+    for (const Term term : allTerms) terms = terms.with(term, switchOf(technique, kSwitches[term]));
+    return {&technique, terms, false, leavesFurtherSwitchesAlone(technique)};
 }
 
 std::string valueOf(const permgen::Constant& constant) {
@@ -90,7 +84,7 @@ std::vector<Permutation> predictedPermutations() {
 }
 
 Shot shotFor(const Permutation& permutation, const Shot& shot) {
-    return withTerms(shot, permutation.noise, permutation.shadow, permutation.cookie);
+    return withTerms(shot, permutation.terms);
 }
 
 DrawOptions optionsFor(const Permutation& permutation, DrawOptions options) {

@@ -19,10 +19,10 @@ const permgen::Effect& effectTables();
 struct Permutation {
     const permgen::Technique* technique;
     /// The terms that its name promises; of a technique that plan() does not know, those its switches set.
-    bool noise, shadow, cookie;
+    TermSet terms;
     /// plan() chooses it for a light with these terms. Every other is drawn by name.
     bool chosen;
-    /// The three terms say what it draws: plan() may choose it, or every further switch that it has stands where the
+    /// The terms say what it draws: plan() may choose it, or every further switch that it has stands where the
     /// shader's module leaves it. Of a switch that is set the tests know nothing but that it is drawn, the same
     /// every time, the same frozen as specialized, and finite.
     bool predicted;
@@ -37,7 +37,7 @@ struct Permutation {
 /// One for each technique, in the effect's order.
 std::vector<Permutation> permutations();
 
-/// Those for the oracle, the masks and the laws, which are about the three terms; what else there is, is left out
+/// Those for the oracle, the masks and the laws, which are about the terms; what else there is, is left out
 /// by what its switches are, and never by its name.
 std::vector<Permutation> predictedPermutations();
 

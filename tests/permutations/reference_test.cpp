@@ -77,7 +77,7 @@ std::vector<Case> cases() {
     for (const Permutation& permutation : predictedPermutations())
         for (const NamedShot& shot : shots()) {
             if (shot.name.starts_with("side_")) continue;  // these differ in the number of slices alone
-            const bool everyTerm = permutation.noise && permutation.shadow && permutation.cookie;
+            const bool everyTerm = permutation.terms == TermSet::all();
             if (!everyTerm && shot.name != "side" && shot.name != "surface" && shot.name != "article_look") continue;
             all.push_back({permutation, {shot.name, shotFor(permutation, shot.shot)}});
         }
@@ -102,7 +102,7 @@ TEST_P(ReferenceTest, SlicesCloseInOnTheIntegral) {
         shot.slices = slices;
         const Drawing drawing = draw(shot, optionsFor(GetParam().permutation));
         ASSERT_EQ(whyNotFinite(drawing.sum), "");
-        ASSERT_EQ(drawing.plan.lights.at(0).technique, GetParam().permutation.technique->name);
+        ASSERT_EQ(drawing.plan.lights.at(0).terms, GetParam().permutation.terms);
         if (exact.empty()) exact = truth(shot, drawing.plan.lights[0].farDepth - drawing.plan.lights[0].nearDepth);
         errors.push_back(relativeL2(drawing.sum, exact));
     }

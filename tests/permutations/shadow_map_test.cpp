@@ -97,12 +97,12 @@ TEST_F(ShadowMapTest, HoldsReversedDepthWhereTheOccluderStands) {
 }
 
 TEST_F(ShadowMapTest, ShaftsThroughItMatchTheOracle) {
-    for (const bool cookie : {false, true})
-        for (const bool noise : {false, true}) {
-            Shot shot = withTerms(sideView(), noise, true, cookie);
+    for (const TermSet terms : allTermSets)
+        if (terms.contains(Term::Shadow)) {
+            Shot shot = withTerms(sideView(), terms);
             shot.slices = 24;
             shot.shadowMap = drawTriangle(shot.light);  // as really stored
-            const OracleImage expected = oracle(shot), open = oracle(withTerms(shot, noise, false, cookie));
+            const OracleImage expected = oracle(shot), open = oracle(withTerms(shot, terms.without(Term::Shadow)));
             const Drawing drawing = draw(shot);
             EXPECT_EQ(whyOutside(drawing.sum, drawing.plan.scale, allowedBy(expected)), "");
             // The triangle really takes light away.

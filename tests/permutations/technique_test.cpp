@@ -20,7 +20,7 @@ Drawing drawInsideOracle(const NamedShot& named, const OracleImage& expected, co
     Drawing drawing = draw(shot, options);
 
     const PlannedLight& light = drawing.plan.lights.at(0);
-    EXPECT_EQ(light.technique, permutation.technique->name);
+    EXPECT_EQ(light.terms, permutation.terms);
     // Both computed in double precision, from corners of the same volume.
     EXPECT_NEAR(light.nearDepth, expected.nearDepth, 1e-9 * expected.farDepth);
     EXPECT_NEAR(light.farDepth, expected.farDepth, 1e-9 * expected.farDepth);
@@ -36,10 +36,10 @@ Drawing drawInsideOracle(const NamedShot& named, const OracleImage& expected, co
 // plan() names techniques without a look at the effect, and the two are to agree. The effect may have more.
 TEST(Techniques, EveryOneThatPlanCanNameIsThereAndOfOneModule) {
     const permgen::Effect& effect = effectTables();
-    const permgen::Technique* first = permgen::find_technique(effect, techniqueName(false, false, false));
+    const permgen::Technique* first = permgen::find_technique(effect, techniqueName({}));
     ASSERT_NE(first, nullptr);
-    for (int bits = 0; bits < 8; ++bits) {
-        const std::string_view name = techniqueName((bits & 4) != 0, (bits & 2) != 0, (bits & 1) != 0);
+    for (const TermSet terms : allTermSets) {
+        const std::string_view name = techniqueName(terms);
         const permgen::Technique* technique = permgen::find_technique(effect, name);
         ASSERT_NE(technique, nullptr) << name;
         EXPECT_EQ(technique->passes[0].pixel.module, first->passes[0].pixel.module) << name;

@@ -20,15 +20,14 @@ struct Faint {
         Candidate candidate{};
         candidate.light = static_cast<std::uint32_t>(lights.size());
         candidate.base = base;
-        candidate.cookie = cookie;
-        candidate.noise = noise;
+        candidate.needed.ranges[Term::Cookie] = cookie;
+        candidate.needed.ranges[Term::Noise] = noise;
         PlannedLight light;
         light.light = lights.size();
         light.brightest = base * std::max({cookie.most.x, cookie.most.y, cookie.most.z}) * noise.most.x;
-        light.cookie = cookie.spread() > 0.0;
-        light.noise = noise.spread() > 0.0;
-        light.cookieVerdict = light.cookie ? TermVerdict::Drawn : TermVerdict::NotAsked;
-        light.noiseVerdict = light.noise ? TermVerdict::Drawn : TermVerdict::NotAsked;
+        light.terms = TermSet().with(Term::Cookie, cookie.spread() > 0.0).with(Term::Noise, noise.spread() > 0.0);
+        for (const Term term : allTerms)
+            light.verdicts[term] = light.terms.contains(term) ? TermVerdict::Drawn : TermVerdict::NotAsked;
         candidates.push_back(candidate);
         lights.push_back(light);
     }
@@ -60,18 +59,22 @@ TEST(Omissions, StayUnderAQuarterStepTogether) {
         for (std::size_t i = 0; i < faint.lights.size(); ++i) {
             const PlannedLight& light = faint.lights[i];
             const Candidate& candidate = faint.candidates[i];
+            const FactorRange& cookies = candidate.needed.ranges[Term::Cookie];
+            const FactorRange& noises = candidate.needed.ranges[Term::Noise];
             if (light.verdict == Verdict::TooFaint) {
-                error += candidate.base * candidate.cookie.most.x * candidate.noise.most.x;
+                error += candidate.base * cookies.most.x * noises.most.x;
                 ++lightsOut;
                 continue;
             }
-            const double cookie = light.cookieVerdict == TermVerdict::Invisible ? candidate.cookieFactor.x : -1.0;
-            const double noise = light.noiseVerdict == TermVerdict::Invisible ? candidate.noiseFactor : -1.0;
+            const auto standIn = [&](Term term) {
+                return light.verdicts[term] == TermVerdict::Invisible ? candidate.needed.standIns[term].x : -1.0;
+            };
+            const double cookie = standIn(Term::Cookie), noise = standIn(Term::Noise);
             cookiesOut += cookie >= 0.0;
             noiseOut += noise >= 0.0;
             double worst = 0.0;
-            for (const double c : {candidate.cookie.least.x, candidate.cookie.most.x})
-                for (const double n : {candidate.noise.least.x, candidate.noise.most.x})
+            for (const double c : {cookies.least.x, cookies.most.x})
+                for (const double n : {noises.least.x, noises.most.x})
                     worst = std::max(worst, std::fabs(c * n - (cookie < 0.0 ? c : cookie) * (noise < 0.0 ? n : noise)));
             error += candidate.base * worst;
         }
@@ -102,18 +105,18 @@ TEST(Omissions, PutTheMeanInATermsPlace) {
     Faint faint;
     faint.add(1.0, between01(0.4, 0.6), between01(2.0, 2.002));
     faint.leaveOut(0.01);  // noise: 0.6 * 0.001 is less than 0.0025; cookie: 2 * 0.1 is not
-    EXPECT_EQ(faint.lights[0].noiseVerdict, TermVerdict::Invisible);
-    EXPECT_FALSE(faint.lights[0].noise);
-    EXPECT_DOUBLE_EQ(faint.candidates[0].noiseFactor, 2.001);
-    EXPECT_EQ(faint.lights[0].cookieVerdict, TermVerdict::Drawn);
-    EXPECT_TRUE(faint.lights[0].cookie);
+    EXPECT_EQ(faint.lights[0].verdicts[Term::Noise], TermVerdict::Invisible);
+    EXPECT_FALSE(faint.lights[0].terms.contains(Term::Noise));
+    EXPECT_DOUBLE_EQ(faint.candidates[0].needed.standIns[Term::Noise].x, 2.001);
+    EXPECT_EQ(faint.lights[0].verdicts[Term::Cookie], TermVerdict::Drawn);
+    EXPECT_TRUE(faint.lights[0].terms.contains(Term::Cookie));
 }
 
 TEST(Omissions, AreNoneWhereNothingMayBeLeftOut) {
     const auto untouched = [](Faint& faint) {
         faint.add(1e-30, between01(0.4, 0.6), between01(0.0, 1.0));
         faint.leaveOut(faint.options.displayStep);
-        return faint.lights[0].verdict == Verdict::Drawn && faint.lights[0].cookie && faint.lights[0].noise;
+        return faint.lights[0].verdict == Verdict::Drawn && faint.lights[0].terms.contains(Term::Cookie) && faint.lights[0].terms.contains(Term::Noise);
     };
     Faint step;
     EXPECT_TRUE(untouched(step)) << "no display step is known";
@@ -123,7 +126,7 @@ TEST(Omissions, AreNoneWhereNothingMayBeLeftOut) {
     EXPECT_TRUE(untouched(everything));
     Faint technique;
     technique.options.displayStep = 0.1;
-    technique.options.technique = "clip_noise_shadow_cookie_technique";
+    technique.options.terms = TermSet::all();
     EXPECT_TRUE(untouched(technique));
     Faint article;
     article.options.displayStep = 0.1;
@@ -133,7 +136,7 @@ TEST(Omissions, AreNoneWhereNothingMayBeLeftOut) {
     unknown.options.displayStep = 0.1;
     unknown.add(0.0, {glm::dvec3(0.0), glm::dvec3(std::numeric_limits<double>::infinity())});
     unknown.leaveOut(0.1);  // 0 * infinity is no number
-    EXPECT_TRUE(unknown.lights[0].cookie);
+    EXPECT_TRUE(unknown.lights[0].terms.contains(Term::Cookie));
 }
 
 }  // namespace

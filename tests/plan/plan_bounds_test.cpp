@@ -182,8 +182,6 @@ TEST(Bounds, OfTheOptions) {
         {"plan options: range is -1:", [](Given& g) { g.options.range = -1.0; }},
         {"plan options: shadowMapSize is 0:", [](Given& g) { g.options.shadowMapSize = 0; }},
         {"plan options: shadowBias is -0.1:", [](Given& g) { g.options.shadowBias = -0.1; }},
-        {"plan options: technique is \"ps_main\":", [](Given& g) { g.options.technique = "ps_main"; }},
-        {"plan options: technique is \"\":", [](Given& g) { g.options.technique = ""; }},
     };
     for (const BrokenCase& c : cases) expectBroken(c);
 }

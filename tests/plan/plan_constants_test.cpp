@@ -137,7 +137,7 @@ TEST(Constants, NoiseScrollsWithoutLosingItsPhase) {
 TEST(Constants, ForcedNoiseOnWhiteLooksLikeNone) {
     Scene scene = someScene();
     PlanOptions options = slices(8);
-    options.technique = "clip_noise_noshadow_nocookie_technique";
+    options.terms = TermSet{Term::Noise};
     EXPECT_EQ(constantsOf(scene, options).dust.y, 1.0f);
     EXPECT_EQ(constantsOf(scene, options).noise1.x, 3.0f) << "the default's scale";
     options.look = Look::Article;

@@ -12,29 +12,25 @@ using namespace test;
 
 TEST(Technique, IsNamedAfterExactlyItsTerms) {
     std::set<std::string_view> names;
-    for (int bits = 0; bits < 8; ++bits) {
-        const bool noise = bits & 4, shadow = bits & 2, cookie = bits & 1;
-        const std::string expected = std::string("clip_") + (noise ? "" : "no") + "noise_" + (shadow ? "" : "no") +
-                                     "shadow_" + (cookie ? "" : "no") + "cookie_technique";
-        EXPECT_EQ(techniqueName(noise, shadow, cookie), expected);
-        names.insert(techniqueName(noise, shadow, cookie));
+    for (const TermSet terms : allTermSets) {
+        std::string expected = "clip";
+        for (const Term term : allTerms)
+            expected += (terms.contains(term) ? "_" : "_no") + std::string(nameOf(term));
+        EXPECT_EQ(techniqueName(terms), expected + "_technique");
+        EXPECT_EQ(termsOf(techniqueName(terms)), terms);
+        names.insert(techniqueName(terms));
     }
-    EXPECT_EQ(names.size(), 8u);
+    EXPECT_EQ(names.size(), TermSet::count);
+    for (const std::string_view other : {"", "ps_main", "clip_noise_shadow_cookie"}) EXPECT_FALSE(termsOf(other));
 }
 
 TEST(Technique, IsWhatTheLightCallsFor) {
     Random random(1);
     Scene scene = randomScene(random);
-    for (int bits = 0; bits < 8; ++bits) {
-        scene.light.noise = (bits & 4) ? std::optional(Noise{}) : std::nullopt;
-        scene.light.shadow = bits & 2;
-        scene.light.cookie = bits & 1;
-        const Plan result = planned({scene.light}, scene.view, slices(4));
-        const PlannedLight& light = result.lights[0];
-        EXPECT_EQ(light.technique, techniqueName(bits & 4, bits & 2, bits & 1));
-        EXPECT_EQ(light.noise, (bits & 4) != 0);
-        EXPECT_EQ(light.shadow, (bits & 2) != 0);
-        EXPECT_EQ(light.cookie, (bits & 1) != 0);
+    for (const TermSet terms : allTermSets) {
+        const Light light = withTerms(scene.light, terms);
+        EXPECT_EQ(termsOf(light), terms);
+        EXPECT_EQ(planned({light}, scene.view, slices(4)).lights[0].terms, terms);
     }
 }
 
@@ -42,19 +38,15 @@ TEST(Technique, CanBeForced) {
     Random random(2);
     Scene scene = randomScene(random);
     PlanOptions options = slices(4);
-    {
-        const std::string shortLived = "clip_noise_shadow_cookie_technique";
-        options.technique = shortLived;
-        const Plan result = planned({scene.light}, scene.view, options);
-        EXPECT_EQ(result.lights[0].technique.data(), techniqueName(true, true, true).data()) << "outlives the options";
-        EXPECT_TRUE(result.lights[0].noise && result.lights[0].shadow && result.lights[0].cookie);
-        EXPECT_EQ(reason(result.lights[0], scene.view),
-                  "The options ask for this technique, whatever the light calls for.");
-    }
-    options.technique = "clip_nonoise_noshadow_nocookie_technique";
+    options.terms = TermSet::all();
+    const Plan result = planned({scene.light}, scene.view, options);
+    EXPECT_EQ(result.lights[0].terms, TermSet::all());
+    EXPECT_EQ(reason(result.lights[0], scene.view),
+              "The options ask for this technique, whatever the light calls for.");
+    options.terms = TermSet{};
     scene.light.shadow = true;
     const PlannedLight light = planned({scene.light}, scene.view, options).lights[0];
-    EXPECT_EQ(light.shadowVerdict, TermVerdict::Overruled);
+    EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::Overruled);
     EXPECT_EQ(savings(light), std::vector<std::string>{"No shadow: the options leave it out."});
 }
 

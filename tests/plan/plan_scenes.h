@@ -32,6 +32,13 @@ inline Light projector() {
     return light;
 }
 
+/// The light with exactly these terms.
+inline Light withTerms(Light light, TermSet terms) {
+    if (!light.noise) light.noise.emplace();
+    light.shadow = light.cookie = true;
+    return keepOnly(light, terms);
+}
+
 inline double pyramidVolume(const Light& light) {
     const double section = 4.0 * std::tan(0.5 * light.fov.x) * std::tan(0.5 * light.fov.y);
     return section / 3.0 * (std::pow(light.farPlane, 3.0) - std::pow(light.nearPlane, 3.0));

@@ -114,7 +114,7 @@ TEST(Planner, PlansAsPlanDoesWhateverItPlannedBefore) {
         ASSERT_EQ(reused.parts.size(), fresh->parts.size());
         for (std::size_t i = 0; i < reused.parts.size(); ++i) {
             EXPECT_EQ(reused.parts[i].light, fresh->parts[i].light);
-            EXPECT_EQ(reused.parts[i].technique, fresh->parts[i].technique);
+            EXPECT_EQ(reused.parts[i].terms, fresh->parts[i].terms);
             EXPECT_EQ(reused.parts[i].firstIndex, fresh->parts[i].firstIndex);
         }
         ASSERT_EQ(reused.groups.size(), fresh->groups.size());

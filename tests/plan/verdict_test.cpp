@@ -155,16 +155,16 @@ TEST(Verdict, NothingToSee) {
 TEST(TermVerdict, NotAskedOrDrawn) {
     Case c;
     PlannedLight light = c.planned();
-    EXPECT_EQ(light.noiseVerdict, TermVerdict::NotAsked);
-    EXPECT_EQ(light.shadowVerdict, TermVerdict::NotAsked);
-    EXPECT_EQ(light.cookieVerdict, TermVerdict::NotAsked);
+    EXPECT_EQ(light.verdicts[Term::Noise], TermVerdict::NotAsked);
+    EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::NotAsked);
+    EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::NotAsked);
     c.light.noise = Noise{};
     c.light.shadow = c.light.cookie = true;
     light = c.planned();  // nothing is known of what they look like
-    EXPECT_EQ(light.noiseVerdict, TermVerdict::Drawn);
-    EXPECT_EQ(light.shadowVerdict, TermVerdict::Drawn);
-    EXPECT_EQ(light.cookieVerdict, TermVerdict::Drawn);
-    EXPECT_EQ(light.technique, techniqueName(true, true, true));
+    EXPECT_EQ(light.verdicts[Term::Noise], TermVerdict::Drawn);
+    EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::Drawn);
+    EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Drawn);
+    EXPECT_EQ(light.terms, TermSet::all());
     EXPECT_TRUE(savings(light).empty());
 }
 
@@ -173,16 +173,16 @@ TEST(TermVerdict, NoOccluder) {
     c.light.shadow = true;
     c.occluders.emplace();
     PlannedLight light = c.planned();
-    EXPECT_EQ(light.shadowVerdict, TermVerdict::NoOccluder);
-    EXPECT_EQ(light.technique, techniqueName(false, false, false));
+    EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::NoOccluder);
+    EXPECT_EQ(light.terms, TermSet{});
     EXPECT_EQ(savings(light),
               std::vector<std::string>{"No shadow map: nothing stands between the lamp and the air that is seen."});
     c.occluders = {box({0.0, 0.0, 3.0}, 0.5), box({3.0, 0.0, -3.0}, 0.5), box({0.0, 0.0, -8.0}, 0.5),
                    box({0.0, 0.0, -0.2}, 0.1)};
-    EXPECT_EQ(c.planned().shadowVerdict, TermVerdict::NoOccluder) << "behind, beside, beyond, before the near plane";
+    EXPECT_EQ(c.planned().verdicts[Term::Shadow], TermVerdict::NoOccluder) << "behind, beside, beyond, before the near plane";
     c.occluders->push_back(box({0.0, 0.0, -4.0}, 0.5));
     light = c.planned();
-    EXPECT_EQ(light.shadowVerdict, TermVerdict::Drawn);
+    EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::Drawn);
     EXPECT_NEAR(light.firstOccluder, 3.5, 1e-3);
     ASSERT_EQ(savings(light).size(), 1u);
     EXPECT_EQ(savings(light)[0], "Shadow looked up only where occluders can throw one, the first of them 3.5 m from the lamp.");
@@ -197,9 +197,9 @@ TEST(TermVerdict, Uniform) {
     c.noise = uniformSurvey(0.5f, true);
     const Plan plan = c.plan();  // though no display step is known
     const PlannedLight& light = plan.lights.at(0);
-    EXPECT_EQ(light.cookieVerdict, TermVerdict::Uniform);
-    EXPECT_EQ(light.noiseVerdict, TermVerdict::Uniform);
-    EXPECT_EQ(light.technique, techniqueName(false, false, false));
+    EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Uniform);
+    EXPECT_EQ(light.verdicts[Term::Noise], TermVerdict::Uniform);
+    EXPECT_EQ(light.terms, TermSet{});
     EXPECT_EQ(savings(light).size(), 2u);
     Case plain = c;
     plain.light.cookie = false;
@@ -219,11 +219,11 @@ TEST(TermVerdict, Invisible) {
     c.light.intensity = 1000.0;
     PlannedLight light = c.planned();
     EXPECT_EQ(light.verdict, Verdict::Drawn);
-    EXPECT_EQ(light.cookieVerdict, TermVerdict::Invisible);
+    EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Invisible);
     EXPECT_EQ(savings(light), std::vector<std::string>{
                                   "No cookie: it differs by less than the display shows; its mean takes its place."});
     c.options.displayStep = 1e-9;
-    EXPECT_EQ(c.planned().cookieVerdict, TermVerdict::Drawn);
+    EXPECT_EQ(c.planned().verdicts[Term::Cookie], TermVerdict::Drawn);
 }
 
 TEST(TermVerdict, ForcedAndOverruled) {
@@ -232,12 +232,12 @@ TEST(TermVerdict, ForcedAndOverruled) {
     c.light.cookie = true;
     c.occluders.emplace();
     c.cookie = uniformSurvey(1.0f);
-    c.options.technique = techniqueName(true, false, true);
+    c.options.terms = TermSet{Term::Noise, Term::Cookie};
     const PlannedLight light = c.planned();
-    EXPECT_EQ(light.noiseVerdict, TermVerdict::Forced);
-    EXPECT_EQ(light.shadowVerdict, TermVerdict::Overruled);
-    EXPECT_EQ(light.cookieVerdict, TermVerdict::Forced);
-    EXPECT_EQ(light.technique, *c.options.technique);
+    EXPECT_EQ(light.verdicts[Term::Noise], TermVerdict::Forced);
+    EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::Overruled);
+    EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Forced);
+    EXPECT_EQ(light.terms, *c.options.terms);
     EXPECT_EQ(savings(light), std::vector<std::string>{"No shadow: the options leave it out."});
 }
 
@@ -262,12 +262,12 @@ TEST(Savings, EndAtNoWallThatCannotBeDrawn) {
     c.blockers = {wallAt(-4.0, 9.0)};
     c.occluders = {box({0.0, 0.0, -5.0}, 1.0)};
     EXPECT_EQ(c.planned().walls, 1u);
-    EXPECT_EQ(c.planned().shadowVerdict, TermVerdict::NoOccluder);
+    EXPECT_EQ(c.planned().verdicts[Term::Shadow], TermVerdict::NoOccluder);
     c.options.geometry = Geometry::StretchedQuads;
     EXPECT_EQ(c.planned().walls, 0u);
-    EXPECT_EQ(c.planned().shadowVerdict, TermVerdict::Drawn);
+    EXPECT_EQ(c.planned().verdicts[Term::Shadow], TermVerdict::Drawn);
     c.options.geometry = Geometry::ExactPolygons;
-    c.options.technique = techniqueName(false, false, false);
+    c.options.terms = TermSet{};
     EXPECT_EQ(c.planned().walls, 0u);
     EXPECT_NEAR(c.planned().seenFar, 6.0, 1e-6);
 }

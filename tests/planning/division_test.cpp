@@ -107,7 +107,7 @@ TEST_F(Division, BeforeTheFirstOccluderThereIsNoShadowMap) {
     ASSERT_EQ(plan.parts.size(), 2u);
     const std::size_t lit = plan.parts[0].shadow ? 1 : 0;
     EXPECT_TRUE(plan.parts[1 - lit].shadow);
-    EXPECT_EQ(plan.parts[lit].technique, techniqueName(false, false, false));
+    EXPECT_EQ(plan.parts[lit].terms, TermSet{});
     const LightTextures nothing{};
     const RoomOnGpu::Shown with = gpu.draw(onlyPart(plan, lit)), without = gpu.draw(onlyPart(plan, lit), {&nothing, 1});
     EXPECT_EQ(with.counters.descriptorsPushed, 1u) << "the constants alone";

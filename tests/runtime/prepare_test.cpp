@@ -25,16 +25,10 @@ struct Way {
     ParallelFor loop;
 };
 
-std::vector<std::string_view> allTechniques() {
-    std::vector<std::string_view> names;
-    for (int bits = 0; bits < 8; ++bits) names.push_back(techniqueName((bits & 4) != 0, (bits & 2) != 0, bits & 1));
-    return names;
-}
-
 class Prepare : public GpuTest {
 protected:
     explicit Prepare(Shaders shaders = Shaders::Frozen)
-        : renderer(must(Renderer::create(context(shaders)))), techniques(allTechniques()) {}
+        : renderer(must(Renderer::create(context(shaders)))), terms(allTermSets.begin(), allTermSets.end()) {}
 
     static DeviceContext context(Shaders shaders) {
         return {gpu().device.physicalDevice(), gpu().device.device(), VK_NULL_HANDLE, shaders};
@@ -42,7 +36,7 @@ protected:
 
     PipelineNeeds needs() const {
         const ShaftTargets targets = stage.targets();
-        return {.techniques = techniques,
+        return {.terms = terms,
                 .accumulation = Accumulation::Rgba32f,
                 .depthFormat = targets.depthFormat,
                 .depthCompare = targets.depthCompare,
@@ -59,11 +53,11 @@ protected:
         const headless::Image map =
             makeImage({8, 8}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, "map");
         const Light light = lamp();
-        for (const std::string_view technique : techniques) {
+        for (const TermSet drawn : terms) {
             PlanOptions options;
             options.slices = 16;
             options.accumulation = Accumulation::Rgba32f;
-            options.technique = technique;
+            options.terms = drawn;
             const Plan planned = must(plan(std::span(&light, 1), eye(stage), options));
             must(renderer.upload(frame, planned));
             run([&](VkCommandBuffer commands) -> Result<void> {
@@ -79,7 +73,7 @@ protected:
 
     Stage stage;
     Renderer renderer;
-    std::vector<std::string_view> techniques;
+    std::vector<TermSet> terms;
 };
 
 class PrepareBy : public Prepare, public testing::WithParamInterface<std::tuple<Shaders, Way>> {
@@ -90,7 +84,7 @@ protected:
 TEST_P(PrepareBy, RecordingMakesNoPipelineAnyMore) {
     must(renderer.prepare(needs(), std::get<Way>(GetParam()).loop));
     const RendererCounters prepared = renderer.counters();
-    EXPECT_EQ(prepared.pipelinesCreated, 8u + 1u + 1u);
+    EXPECT_EQ(prepared.pipelinesCreated, TermSet::count + 1u + 1u);
     EXPECT_EQ(prepared.pipelinesPrepared, prepared.pipelinesCreated);
     const std::vector<Rgba> picture = drawAll();
     EXPECT_EQ(renderer.counters().pipelinesCreated, prepared.pipelinesCreated);
@@ -116,13 +110,13 @@ INSTANTIATE_TEST_SUITE_P(Ways, PrepareBy,
 
 TEST_F(Prepare, MakesOnlyWhatIsNeeded) {
     PipelineNeeds none = needs();
-    none.techniques = {};
+    none.terms = {};
     none.shadowMapFormat = VK_FORMAT_UNDEFINED;
     must(renderer.prepare(none, [](std::size_t, const auto&) { ADD_FAILURE() << "nothing to do in parallel"; }));
     EXPECT_EQ(renderer.counters().pipelinesCreated, 0u);
 
     // The same technique from many lights is made once; a second accumulation format is another pipeline.
-    techniques.assign(100, techniqueName(false, true, false));
+    terms.assign(100, TermSet{Term::Shadow});
     must(renderer.prepare(needs(), onThreads));
     EXPECT_EQ(renderer.counters().pipelinesCreated, 3u);
     PipelineNeeds half = needs();
@@ -131,23 +125,15 @@ TEST_F(Prepare, MakesOnlyWhatIsNeeded) {
     EXPECT_EQ(renderer.counters().pipelinesCreated, 4u);
 }
 
-TEST_F(Prepare, AnUnknownTechniqueIsRefusedBeforeAnythingIsMade) {
-    techniques.push_back("clip_technique");
-    const auto prepared = renderer.prepare(needs(), onThreads);
-    ASSERT_FALSE(prepared);
-    EXPECT_NE(prepared.error().message.find("no technique clip_technique"), std::string::npos);
-    EXPECT_EQ(renderer.counters().pipelinesCreated, 0u);
-}
-
 TEST_F(Prepare, WhereOneFailsTheOthersAreKept) {
     PipelineNeeds wrong = needs();
     wrong.colourFormat = VK_FORMAT_R64G64B64A64_SFLOAT;
     const auto prepared = renderer.prepare(wrong, onThreads);
     ASSERT_FALSE(prepared);
     EXPECT_EQ(prepared.error().code, ErrorCode::UnsupportedDevice);
-    EXPECT_EQ(renderer.counters().pipelinesCreated, 9u);
+    EXPECT_EQ(renderer.counters().pipelinesCreated, TermSet::count + 1u);
     must(renderer.prepare(needs(), onThreads));
-    EXPECT_EQ(renderer.counters().pipelinesCreated, 10u);
+    EXPECT_EQ(renderer.counters().pipelinesCreated, TermSet::count + 2u);
 }
 
 TEST_F(Prepare, ALoopThatLeavesJobsOutIsToldSo) {
@@ -157,10 +143,10 @@ TEST_F(Prepare, ALoopThatLeavesJobsOutIsToldSo) {
         job(count);  // beyond the end: nothing happens
     });
     ASSERT_FALSE(prepared);
-    EXPECT_NE(prepared.error().message.find("left out pipeline 4 of 10"), std::string::npos);
-    EXPECT_EQ(renderer.counters().pipelinesCreated, 9u);
+    EXPECT_NE(prepared.error().message.find("left out pipeline 4 of " + std::to_string(TermSet::count + 2)), std::string::npos);
+    EXPECT_EQ(renderer.counters().pipelinesCreated, TermSet::count + 1u);
     must(renderer.prepare(needs()));
-    EXPECT_EQ(renderer.counters().pipelinesCreated, 10u);
+    EXPECT_EQ(renderer.counters().pipelinesCreated, TermSet::count + 2u);
 }
 
 TEST(PrepareLeak, ALoopThatThrowsOrRunsJobsTwiceLeavesNothingBehind) {
@@ -172,8 +158,7 @@ TEST(PrepareLeak, ALoopThatThrowsOrRunsJobsTwiceLeavesNothingBehind) {
         options.onMessage = [&](const std::string& message) { messages.push_back(message); };
         const auto device = must(headless::Device::create(options));
         auto renderer = must(Renderer::create({device.physicalDevice(), device.device()}));
-        const std::vector<std::string_view> techniques = allTechniques();
-        const PipelineNeeds needs{.techniques = techniques, .accumulation = Accumulation::Rgba32f};
+        const PipelineNeeds needs{.terms = allTermSets, .accumulation = Accumulation::Rgba32f};
         const auto prepare = [&] {
             return renderer.prepare(needs, [](std::size_t, const std::function<void(std::size_t)>& job) {
                 for (std::size_t i = 0; i < 3; ++i) job(i);
@@ -183,7 +168,7 @@ TEST(PrepareLeak, ALoopThatThrowsOrRunsJobsTwiceLeavesNothingBehind) {
         EXPECT_THROW((void)prepare(), std::runtime_error);
         EXPECT_EQ(renderer.counters().pipelinesCreated, 0u);
         must(renderer.prepare(needs, twice));
-        EXPECT_EQ(renderer.counters().pipelinesCreated, 8u);
+        EXPECT_EQ(renderer.counters().pipelinesCreated, TermSet::count);
     }
     for (const std::string& message : messages) ADD_FAILURE() << message;
 }

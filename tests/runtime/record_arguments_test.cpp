@@ -78,12 +78,6 @@ TEST_F(RecordArguments, TooFewTextures) {
     expectError(frame.record(), ErrorCode::InvalidArgument, "textures");
 }
 
-TEST_F(RecordArguments, UnknownTechnique) {
-    Frame frame;
-    frame.plan.parts[0].technique = "clip_rain_technique";
-    expectError(frame.record(), ErrorCode::InvalidArgument, "clip_rain_technique");
-}
-
 TEST_F(RecordArguments, LightOfAGroupThatIsNotDrawn) {
     Frame frame;
     frame.plan.lights[0].drawn = false;

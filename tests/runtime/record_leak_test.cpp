@@ -32,7 +32,7 @@ TEST(RecordLeak, NothingIsLeftOnTheDevice) {
                 device, {{16, 16}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}));
             const Light light = lamp();
             PlanOptions planOptions;
-            planOptions.technique = techniqueName(true, true, true);
+            planOptions.terms = TermSet::all();
             const Plan shafts =
                 must(plan(std::span(&light, 1), perspectiveView(glm::dmat4(1.0), 1.0, 1.0, 0.1, 100.0), planOptions));
             must(renderer.upload(frame, shafts));

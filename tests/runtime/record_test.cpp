@@ -10,25 +10,11 @@
 namespace tyndall::test {
 namespace {
 
-struct Permutation {
-    bool noise, shadow, cookie;
-};
-
-constexpr std::array<Permutation, 8> permutations{{{false, false, false},
-                                                   {false, false, true},
-                                                   {false, true, false},
-                                                   {false, true, true},
-                                                   {true, false, false},
-                                                   {true, false, true},
-                                                   {true, true, false},
-                                                   {true, true, true}}};
-
-Light lampWith(const Permutation& permutation) {
+Light lampWith(TermSet terms) {
     Light light = lamp();
-    light.cookie = permutation.cookie;
-    light.shadow = permutation.shadow;
-    if (permutation.noise) light.noise = Noise{};
-    return light;
+    light.cookie = light.shadow = true;
+    light.noise.emplace();
+    return keepOnly(light, terms);
 }
 
 /// Radiance that 1 stands for in 8 bits: twice the lamp's brightest pixel.
@@ -77,7 +63,7 @@ class RecordEach : public GpuTest, public testing::WithParamInterface<std::tuple
 TEST_P(RecordEach, DrawsFiniteLightIntoThePicture) {
     const auto& [which, accumulation] = GetParam();
     Stage stage({48, 32}, accumulation);
-    const Light light = lampWith(permutations[which]);
+    const Light light = lampWith(allTermSets[which]);
     const Plan plan = planFor(std::span(&light, 1), stage, accumulation);
     ASSERT_EQ(plan.groups.size(), 1u);
     const Slides slides;
@@ -95,14 +81,15 @@ TEST_P(RecordEach, DrawsFiniteLightIntoThePicture) {
 }
 
 std::string nameOf(const testing::TestParamInfo<std::tuple<std::size_t, Accumulation>>& info) {
-    const Permutation permutation = permutations[std::get<0>(info.param)];
     constexpr std::array formats{"rgba8", "rgba8routed", "rgba16f", "rgba32f"};
-    return std::string(permutation.noise ? "noise_" : "nonoise_") + (permutation.shadow ? "shadow_" : "noshadow_") +
-           (permutation.cookie ? "cookie_" : "nocookie_") + formats[static_cast<std::size_t>(std::get<1>(info.param))];
+    std::string name;
+    for (const Term term : allTerms)
+        name += (allTermSets[std::get<0>(info.param)].contains(term) ? "" : "no") + std::string(nameOf(term)) + "_";
+    return name + formats[static_cast<std::size_t>(std::get<1>(info.param))];
 }
 
 INSTANTIATE_TEST_SUITE_P(, RecordEach,
-                         testing::Combine(testing::Range<std::size_t>(0, permutations.size()),
+                         testing::Combine(testing::Range<std::size_t>(0, TermSet::count),
                                           testing::Values(Accumulation::Rgba8, Accumulation::Rgba8Routed,
                                                           Accumulation::Rgba16f, Accumulation::Rgba32f)),
                          nameOf);
@@ -110,15 +97,15 @@ INSTANTIATE_TEST_SUITE_P(, RecordEach,
 TEST_F(Record, PushesTheLiveResourcesAndNothingElse) {
     Stage stage;
     const Slides slides;
-    for (const Permutation& permutation : permutations) {
-        const Light light = lampWith(permutation);
+    for (const TermSet terms : allTermSets) {
+        const Light light = lampWith(terms);
         const Plan plan = planFor(std::span(&light, 1), stage);
         const RendererCounters before = gpu().frozen.counters();
         accumulated(stage, plan, {slides.views()});
         const RendererCounters& after = gpu().frozen.counters();
         EXPECT_EQ(after.descriptorsPushed - before.descriptorsPushed,
-                  1u + permutation.noise + permutation.shadow + permutation.cookie)
-            << plan.lights[0].technique;
+                  1u + terms.contains(Term::Noise) + terms.contains(Term::Shadow) + terms.contains(Term::Cookie))
+            << techniqueName(plan.lights[0].terms);
         EXPECT_EQ(after.draws - before.draws, 1u);
         EXPECT_EQ(after.slicesDrawn - before.slicesDrawn, static_cast<std::uint64_t>(plan.lights[0].slices));
     }
@@ -143,11 +130,11 @@ TEST_F(Record, StandsInForMissingTexturesOfAForcedTechnique) {
     options.slices = 16;
     options.range = range;
     options.accumulation = Accumulation::Rgba32f;
-    options.technique = techniqueName(false, true, true);
+    options.terms = TermSet{Term::Shadow, Term::Cookie};
     const Plan forced = must(plan(std::span(&light, 1), eye(stage), options));
     for (int repeat = 0; repeat < 2; ++repeat) EXPECT_EQ(accumulated(stage, forced, {LightTextures{}}), plain);
 
-    options.technique = techniqueName(true, true, true);
+    options.terms = TermSet::all();
     const Plan withNoise = must(plan(std::span(&light, 1), eye(stage), options));
     EXPECT_GT(lit(accumulated(stage, withNoise, {LightTextures{}})), 0u);
     EXPECT_EQ(gpu().frozen.counters().neutralTexturesCreated, 2u);  // white and empty, once for the process

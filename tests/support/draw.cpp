@@ -124,20 +124,22 @@ PlanOptions planOptionsOf(const Shot& shot, const DrawOptions& options) {
     plan.range = options.range;
     plan.shadowMapSize = static_cast<std::uint32_t>(shot.shadowMap.width);
     plan.shadowBias = shot.shadowBias;
-    plan.technique = options.technique;
+    plan.terms = options.terms;
     return plan;
 }
 
 Drawing draw(const Shot& shot, const DrawOptions& options) {
     Gpu& g = gpu();
-    Renderer& renderer = options.shaders == Shaders::Frozen ? g.frozen : g.specialized;
     Drawing drawing;
     drawing.plan = must(plan(std::span(&shot.light, 1), viewOf(shot), planOptionsOf(shot, options)));
-    if (options.drawnWith) {
-        for (PlannedLight& light : drawing.plan.lights) light.technique = *options.drawnWith;
-        for (PlannedPart& part : drawing.plan.parts) part.technique = *options.drawnWith;
+    if (const auto terms = options.drawnWith ? termsOf(*options.drawnWith) : std::nullopt) {
+        for (PlannedLight& light : drawing.plan.lights) light.terms = *terms;
+        for (PlannedPart& part : drawing.plan.parts) part.terms = *terms;
     }
     if (options.change) options.change(drawing.plan);
+    Renderer& renderer = options.drawnWith && !termsOf(*options.drawnWith)
+                             ? g.rendererFor(*options.drawnWith, options.shaders)
+                             : (options.shaders == Shaders::Frozen ? g.frozen : g.specialized);
 
     const Textures textures = texturesOf(shot);
     const Texture depthTexels =

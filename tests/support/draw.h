@@ -18,8 +18,8 @@ struct DrawOptions {
     Geometry geometry = Geometry::ExactPolygons;
     Accumulation accumulation = Accumulation::Rgba32f;
     double range = 1.0;                         ///< PlanOptions::range
-    std::optional<std::string_view> technique;  ///< PlanOptions::technique
-    std::optional<std::string_view> drawnWith;  ///< takes the planned technique's place: any that the effect declares
+    std::optional<TermSet> terms;               ///< PlanOptions::terms
+    std::optional<std::string_view> drawnWith;  ///< takes the planned technique's place: any of the effect's
     Shaders shaders = Shaders::Frozen;          ///< DeviceContext::shaders
     bool composite = false;                     ///< into a picture of kBackground
     bool blur = false;                          ///< when compositing

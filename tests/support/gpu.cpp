@@ -18,7 +18,35 @@ public:
 };
 [[maybe_unused]] const testing::Environment* const environment = testing::AddGlobalTestEnvironment(new GpuEnvironment);
 
+DeviceContext contextOf(const headless::Device& device) {
+    DeviceContext context{device.physicalDevice(), device.device(), VK_NULL_HANDLE, Shaders::Frozen};
+    context.slices = effectUnderTest("slices");
+    context.composite = effectUnderTest("composite");
+    context.shadowMap = effectUnderTest("shadow_map");
+    return context;
+}
+
 }  // namespace
+
+Renderer& Gpu::rendererFor(std::string_view technique, Shaders shaders) {
+    std::unique_ptr<StandIn>& entry = standIns[{std::string(technique), shaders}];
+    if (!entry) {
+        DeviceContext context = contextOf(device);
+        if (!context.slices) throw std::runtime_error("slices.fx has no technique " + std::string(technique));
+        const permgen::Technique* named = permgen::find_technique(*context.slices, technique);
+        if (!named) throw std::runtime_error("the effect has no technique " + std::string(technique));
+        std::vector<permgen::Technique> techniques(context.slices->techniques.begin(),
+                                                   context.slices->techniques.end());
+        for (permgen::Technique& each : techniques) each.passes = named->passes;
+        permgen::Effect effect = *context.slices;
+        effect.techniques = techniques;
+        context.slices = &effect;
+        context.shaders = shaders;
+        Renderer renderer = must(Renderer::create(context));
+        entry = std::make_unique<StandIn>(StandIn{std::move(techniques), effect, std::move(renderer)});
+    }
+    return entry->renderer;
+}
 
 Gpu& gpu() {
     if (!theGpu) {
@@ -29,14 +57,11 @@ Gpu& gpu() {
         if (!device.isLlvmpipe())
             throw std::runtime_error("these tests hold pictures against lavapipe, and this device is " +
                                      std::string(device.name()) + "; install Mesa's Vulkan drivers");
-        DeviceContext context{device.physicalDevice(), device.device(), VK_NULL_HANDLE, Shaders::Frozen};
-        context.slices = effectUnderTest("slices");
-        context.composite = effectUnderTest("composite");
-        context.shadowMap = effectUnderTest("shadow_map");
+        DeviceContext context = contextOf(device);
         Renderer frozen = must(Renderer::create(context));
         context.shaders = Shaders::Specialized;
         Renderer specialized = must(Renderer::create(context));
-        theGpu = std::make_unique<Gpu>(Gpu{std::move(device), std::move(frozen), std::move(specialized)});
+        theGpu = std::make_unique<Gpu>(Gpu{std::move(device), std::move(frozen), std::move(specialized), {}});
     }
     return *theGpu;
 }

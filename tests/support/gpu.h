@@ -7,14 +7,33 @@
 #include <headless/image.h>
 #include <tyndall/renderer.h>
 
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "texture.h"
 
 namespace tyndall::test {
+
+/// An effect whose every technique draws what one of its techniques does.
+struct StandIn {
+    std::vector<permgen::Technique> techniques;
+    permgen::Effect effect;
+    Renderer renderer;
+};
 
 struct Gpu {
     headless::Device device;
     Renderer frozen;  // after the device, so that they go first
     Renderer specialized;
+    std::map<std::pair<std::string, Shaders>, std::unique_ptr<StandIn>> standIns;
+
+    /// A Renderer that draws everything with the technique of that name, for those that plan() does not know: an
+    /// effect may declare more than the terms have.
+    Renderer& rendererFor(std::string_view technique, Shaders shaders);
 };
 
 /// The process's one Gpu, made on first use. It ends with the test program.

@@ -8,8 +8,6 @@
 
 namespace tyndall::test {
 
-enum class Term { Noise, Shadow, Cookie };
-
 /// The shot without that one term.
 Shot without(Shot shot, Term term);
 

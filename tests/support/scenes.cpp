@@ -139,10 +139,10 @@ std::vector<NamedShot> shots() {
     };
 }
 
-Shot withTerms(Shot shot, bool noise, bool shadow, bool cookie) {
-    if (!noise) shot.light.noise.reset();
-    shot.light.shadow = shadow;
-    shot.light.cookie = cookie;
+Shot withTerms(Shot shot, TermSet terms) {
+    if (!terms.contains(Term::Noise)) shot.light.noise.reset();
+    shot.light.shadow = terms.contains(Term::Shadow);
+    shot.light.cookie = terms.contains(Term::Cookie);
     return shot;
 }
 

@@ -25,7 +25,7 @@ Shot sideView();
 std::vector<NamedShot> shots();
 
 /// Drops the terms that a technique lacks.
-Shot withTerms(Shot shot, bool noise, bool shadow, bool cookie);
+Shot withTerms(Shot shot, TermSet terms);
 
 /// The same scene under a rigid motion of the world.
 Shot moved(Shot shot, const glm::dmat4& motion);

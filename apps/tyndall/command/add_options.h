@@ -45,6 +45,9 @@ CLI::Option* addOptional(CLI::App& app, const char* name, std::optional<T>& valu
 void addViewOptions(CLI::App& app, ViewOptions& view, std::string& size);
 Outcome<void> checkView(ViewOptions& view, const std::string& size);
 
+/// --technique, as the terms it stands for.
+void addTechnique(CLI::App& app, std::optional<TermSet>& terms, const std::string& help);
+
 void addShadowSize(CLI::App& app, std::uint32_t& size);
 Outcome<void> checkShadowSize(std::uint32_t size);
 

@@ -14,8 +14,7 @@ void addReference(CLI::App& app, ReferenceOptions& options, std::string& size) {
         ->type_name("IMAGE.exr");
     addChoice(app, "--mode", options.mode, modeWords,
               "shadows and surfaces of the triangles themselves, or the renderer's own shadow maps and depth");
-    addOptional(app, "--technique", options.technique, "NAME",
-                "leave out of every light what this technique of slices.fx leaves out");
+    addTechnique(app, options.terms, "leave out of every light what this technique of slices.fx leaves out");
     app.add_option("--accuracy", options.accuracy, "relative error of each pixel, 1e-12 to 1; 1e-8")->type_name("E");
     app.add_option("--threads", options.threads, "0: one for each processor")->type_name("N");
     addShadowSize(app, options.shadowSize);
@@ -30,8 +29,6 @@ Outcome<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiv
         return fail("--accuracy: {} is out of bounds; take from 1e-12 to 1", options.accuracy);
     if (options.threads > mostThreads)
         return fail("--threads: {} is out of bounds; take from 0 to {}", options.threads, mostThreads);
-    if (options.technique)
-        if (auto checked = checkTechnique(*options.technique); !checked) return checked;
     if (shadowSizeGiven && options.mode == study::Mode::Ideal)
         return fail("--shadow-size: the ideal mode has no shadow maps; leave it out, or add --mode hardware");
     return checkShadowSize(options.shadowSize);

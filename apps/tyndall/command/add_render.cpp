@@ -9,7 +9,7 @@ namespace {
 
 void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts) {
     addChoice(app, "--layer", view.layer, layerWords, "what to draw");
-    addOptional(app, "--technique", shafts.technique, "NAME", "technique of slices.fx for every light");
+    addTechnique(app, shafts.terms, "technique of slices.fx for every light");
     addChoice(app, "--accum", shafts.accumulation, accumulationWords, "where slices are added up");
     addOptional(app, "--planes", shafts.planes, "N", "so many equal slices a light, 1 to 65536; as many as needed");
     addOptional(app, "--most-slices", shafts.mostSlices, "N",
@@ -58,12 +58,12 @@ Outcome<void> checkShafts(const ShaftOptions& shafts) {
             *shafts.planes);
     if (shafts.exposure && !(std::abs(*shafts.exposure) <= 64.0))
         return fail("--exposure: must lie between -64 and 64 stops");
-    if (shafts.everything && shafts.technique)
+    if (shafts.everything && shafts.terms)
         return fail("--force-all: draws with the full technique; leave --technique out");
     if (auto checked = checkShadowSize(shafts.shadowSize); !checked) return checked;
     if (shafts.range && !(*shafts.range > 0.0 && std::isfinite(*shafts.range)))
         return fail("--range: must be a radiance above 0");
-    return shafts.technique ? checkTechnique(*shafts.technique) : Outcome<void>{};
+    return {};
 }
 
 Outcome<void> checkRender(RenderOptions& options, bool outputGiven) {

@@ -19,6 +19,18 @@ Outcome<void> checkView(ViewOptions& view, const std::string& size) {
     return {};
 }
 
+void addTechnique(CLI::App& app, std::optional<TermSet>& terms, const std::string& help) {
+    app.add_option_function<std::string>(
+           "--technique",
+           [&terms](const std::string& name) {
+               const auto parsed = parseTechnique(name);
+               if (!parsed) throw CLI::ValidationError(parsed.error());
+               terms = *parsed;
+           },
+           help)
+        ->type_name("NAME");
+}
+
 void addShadowSize(CLI::App& app, std::uint32_t& size) {
     app.add_option("--shadow-size", size, "texels a side of a shadow map, 1 to 16384; 1024")->type_name("N");
 }

@@ -36,7 +36,7 @@ std::vector<LightCost> lightCosts(const Plan& plan, const View& view, const Size
         if (constants(part.constants)) cost.geometryBytes += sizeof(SliceConstants);
     }
     for (std::size_t i = 0; i < costs.size(); ++i)
-        if (plan.lights[i].drawn && plan.lights[i].shadow)
+        if (plan.lights[i].drawn && plan.lights[i].terms.contains(Term::Shadow))
             costs[i].shadowMapBytes = std::uint64_t{shadowSize} * shadowSize * sizeof(float);
     return costs;
 }

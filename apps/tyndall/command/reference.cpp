@@ -44,7 +44,8 @@ Outcome<Said> reference(const ReferenceOptions& options, const Progress& progres
     if (!viewed) return tl::unexpected(viewed.error());
     for (std::size_t i = 0; i < viewed->lights.size(); ++i)  // nothing in its volume, nothing to ask for
         viewed->lights[i].shadow = viewed->lights[i].shadow && !viewed->instancesInLight[i].empty();
-    if (options.technique) leaveOut(viewed->lights, *termsOf(*options.technique));
+    if (options.terms)  // where a light lacks a term, the renderer draws with a neutral texture
+        for (Light& light : viewed->lights) light = keepOnly(std::move(light), *options.terms);
     const auto scene = sceneFor(options, *viewed, run);
     if (!scene) return tl::unexpected(scene.error());
     if (!progress(0.0)) return fail("{}", interrupted);

@@ -54,7 +54,7 @@ std::size_t mapsForSurfacesAlone(const PlannedScene& planned, const ViewOptions&
     std::size_t maps = 0;
     for (std::size_t i = 0; i < planned.surfaceLights.size(); ++i) {
         const PlannedLight& light = planned.plan.lights[i];
-        maps += planned.surfaceLights[i].shadowMap && !(light.drawn && light.shadow);
+        maps += planned.surfaceLights[i].shadowMap && !(light.drawn && light.terms.contains(Term::Shadow));
     }
     return maps;
 }
@@ -102,10 +102,8 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
         entry["drawn"] = light.drawn;
         entry["reason"] = reason(light, planned.view);
         if (light.drawn) {
-            entry["technique"] = light.technique;
-            entry["noise"] = light.noise;
-            entry["shadow"] = light.shadow;
-            entry["cookie"] = light.cookie;
+            entry["technique"] = techniqueName(light.terms);
+            for (const Term term : allTerms) entry[std::string(nameOf(term))] = light.terms.contains(term);
             entry["saved"] = shafts.everything ? std::vector<std::string>{} : savings(light);
             entry["slices"] = light.slices;
             entry["nearDepth"] = light.nearDepth;
@@ -115,7 +113,7 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
             entry["parts"] = nlohmann::ordered_json::array();
             slices += light.slices;
             ++drawn;
-            shadowMaps += light.shadow;
+            shadowMaps += light.terms.contains(Term::Shadow);
         }
         entry["expectedFragments"] = std::round(costs.planned[i].fragments);
         entry["bytes"] = bytesReport(costs.planned[i], "shadowMap");
@@ -127,7 +125,7 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
     }
     for (const PlannedPart& part : planned.plan.parts) {
         auto& parts = report["lights"][part.light]["parts"];
-        parts.push_back({{"technique", part.technique},
+        parts.push_back({{"technique", techniqueName(part.terms)},
                          {"slices", part.slices},
                          {"triangles", part.indexCount / 3},
                          {"expectedFragments", std::round(costs.planned[part.light].parts[parts.size()])}});
@@ -197,11 +195,11 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
         text += fmt::format("  {}\n", reason(light, planned.view));
         if (light.drawn) {
             ++drawn;
-            maps += light.shadow;
+            maps += light.terms.contains(Term::Shadow);
             if (!shafts.everything)
                 for (const std::string& saving : savings(light)) text += fmt::format("  {}\n", saving);
             for (std::size_t k = 0; k < parts[i].size(); ++k)
-                text += fmt::format("  {}: {} slices, about {} fragments\n", parts[i][k]->technique,
+                text += fmt::format("  {}: {} slices, about {} fragments\n", techniqueName(parts[i][k]->terms),
                                     parts[i][k]->slices, count(costs.planned[i].parts[k]));
             text += fmt::format("  its volume spans {:.4g} to {:.4g} m before the eye, drawn in {} slabs{}\n",
                                 light.nearDepth, light.farDepth, light.slices,

@@ -24,6 +24,7 @@ PlanOptions optionsFor(const PlannedScene& planned, const ViewOptions& view, con
     options.pictureHeight = view.size.height;
     options.displayStep = planned.displayStep;
     options.everything = shafts.everything;
+    options.terms = shafts.terms;
     return options;
 }
 
@@ -40,10 +41,8 @@ Surroundings surroundingsOf(const PlannedScene& planned) {
 
 Outcome<void> makePlan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     planned.options = optionsFor(planned, view, shafts);
-    PlanOptions options = planned.options;
-    if (shafts.technique) options.technique = *shafts.technique;
-    const auto made =
-        planned.planner.plan(planned.lights, planned.view, options, surroundingsOf(planned), planned.plan);
+    const auto made = planned.planner.plan(planned.lights, planned.view, planned.options, surroundingsOf(planned),
+                                           planned.plan);
     if (!made) return fail("{}: {}", view.scene, made.error().message);
     return {};
 }
@@ -88,6 +87,7 @@ Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayS
 Outcome<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view) {
     PlanOptions options = planned.options;
     options.everything = true;
+    options.terms.reset();
     auto made = plan(planned.lights, planned.view, options, surroundingsOf(planned));
     if (!made) return fail("{}: {}", view.scene, made.error().message);
     return std::move(*made);

@@ -16,7 +16,7 @@ struct PlannedScene : ViewedScene {
     std::vector<SurfaceLight> surfaceLights;  ///< by lookAround()
     std::optional<DrawnDepth> depth;          ///< what the plan was made with
     double displayStep = 0.0;                 ///< as PlanOptions'
-    PlanOptions options;  ///< what the plan was made with, but for its technique, whose name is not kept
+    PlanOptions options;                      ///< what the plan was made with
     Plan plan;
     Planner planner;   ///< keeps its memory, and so do the plans
     Plan surfacePlan;  ///< what surfaceLights were read off

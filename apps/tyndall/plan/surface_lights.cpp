@@ -32,7 +32,7 @@ Outcome<void> neededLights(Planner& planner, std::span<const Light> lights, cons
     needed.clear();
     for (const PlannedLight& light : plan.lights) {
         const auto first = plan.walls.begin() + light.firstWall;
-        needed.push_back({light.drawn, light.drawn && light.shadow,
+        needed.push_back({light.drawn, light.drawn && light.terms.contains(Term::Shadow),
                           light.drawn ? std::vector(first, first + light.walls) : std::vector<glm::dvec4>{}});
     }
     return {};

@@ -59,14 +59,6 @@ study::Texture depthTexture(int width, int height, std::vector<float> values) {
 
 }  // namespace
 
-void leaveOut(std::vector<Light>& lights, const Terms& technique) {
-    for (Light& light : lights) {
-        light.cookie = light.cookie && technique.cookie;
-        light.shadow = light.shadow && technique.shadow;
-        if (!technique.noise) light.noise.reset();
-    }
-}
-
 study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& options) {
     study::ReferenceScene scene = commonPart(viewed, options, study::Mode::Ideal);
     for (const MeshInstance& instance : viewed.scene.instances)

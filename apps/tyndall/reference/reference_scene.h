@@ -19,8 +19,4 @@ study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& o
 Outcome<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
                                              const ViewOptions& options, std::uint32_t shadowSize);
 
-/// Turns off what the technique leaves out. A light that lacks what the technique has keeps lacking it: there the
-/// renderer draws with a neutral texture.
-void leaveOut(std::vector<Light>& lights, const Terms& technique);
-
 }  // namespace tyndall::app

@@ -36,7 +36,7 @@ std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
     if (planned.options.everything) return mapsCalledFor(planned.surfaceLights);
     std::vector<std::size_t> lights;
     for (const PlannedLight& light : planned.plan.lights)
-        if (light.drawn && light.shadow && planned.lights[light.light].shadow &&
+        if (light.drawn && light.terms.contains(Term::Shadow) && planned.lights[light.light].shadow &&
             !planned.instancesInLight[light.light].empty())
             lights.push_back(light.light);
     return lights;
@@ -108,10 +108,10 @@ Outcome<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOption
 
 /// All that drawShafts() will draw with, on all cores.
 Outcome<void> SceneRenderer::preparePipelines(const Plan& plan) {
-    std::vector<std::string_view> techniques;
-    for (const PlannedPart& part : plan.parts) techniques.push_back(part.technique);
+    std::vector<TermSet> terms;
+    for (const PlannedPart& part : plan.parts) terms.push_back(part.terms);
     const auto start = std::chrono::steady_clock::now();
-    auto prepared = passOn(renderer_.prepare({.techniques = techniques,
+    auto prepared = passOn(renderer_.prepare({.terms = terms,
                                               .accumulation = plan.accumulation,
                                               .depthFormat = depthFormat,
                                               .colourFormat = colourFormat,

@@ -23,8 +23,8 @@ std::vector<bool> shaftImages(const Scene& scene, const Plan& plan) {
     std::vector<bool> used(scene.images.size());
     for (const PlannedPart& part : plan.parts) {
         const SceneLight& light = scene.lights[plan.lights[part.light].light];
-        if (part.cookie) mark(used, light.cookie);
-        if (part.noise) mark(used, light.noise);
+        if (part.terms.contains(Term::Cookie)) mark(used, light.cookie);
+        if (part.terms.contains(Term::Noise)) mark(used, light.noise);
     }
     return used;
 }

@@ -5,6 +5,7 @@
 #include <tyndall/result.h>
 #include <tyndall/slice_data.h>
 #include <tyndall/surroundings.h>
+#include <tyndall/terms.h>
 #include <tyndall/view.h>
 
 #include <cstdint>
@@ -13,7 +14,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace tyndall {
@@ -61,8 +61,8 @@ struct PlanOptions {
     double shadowBias = 0.0;                    ///< metres along the light's axis, 0 to 1e9; more before blockers
                                                 ///< that the map's texels are too coarse for; at most 0.99 of a light's
                                                 ///< nearPlane takes effect, or points would fall behind the lamp
-    std::optional<std::string_view> technique;  ///< draws every light with this one, whatever it calls for; a
-                                                ///< light that lacks what it reads sees a neutral texture there
+    std::optional<TermSet> terms;               ///< draws every light with these, whatever it calls for; a light
+                                                ///< that lacks what its technique reads sees a neutral texture there
     std::uint32_t pictureHeight = 0;            ///< pixels; for Spacing::Adaptive. 0: as fine as the rest asks for
     double displayStep = 0.0;                   ///< radiance of the smallest step that the display shows, 0 or more.
                                                 ///< What is too faint to be seen is left out: at each pixel all that
@@ -90,16 +90,21 @@ enum class Verdict : std::uint8_t {
     TooFaint,     ///< see PlanOptions::displayStep
 };
 
-/// Why a term is in a light's technique, or not.
+/// Why a term is among those that a light is drawn with, or not.
 enum class TermVerdict : std::uint8_t {
     NotAsked,    ///< the light has none
     Drawn,       ///< called for
-    Forced,      ///< PlanOptions::technique or ::everything
-    Overruled,   ///< PlanOptions::technique leaves it out
+    Forced,      ///< PlanOptions::terms or ::everything
+    Overruled,   ///< PlanOptions::terms leave it out
     NoOccluder,  ///< shadow: nothing stands between the lamp and the air that is seen
     Uniform,     ///< cookie, noise: the same wherever it is seen; a factor takes its place
     Invisible,   ///< cookie, noise: differs by less than the display shows; its mean takes its place
 };
+
+/// Whether a term with this verdict is among those that the light is drawn with.
+constexpr bool isDrawn(TermVerdict verdict) {
+    return verdict == TermVerdict::Drawn || verdict == TermVerdict::Forced;
+}
 
 /// What becomes of one light. Where `drawn` is false it has no slices and no part, and the rest is what was known
 /// when the verdict fell.
@@ -107,31 +112,28 @@ struct PlannedLight {
     std::size_t light = 0;  ///< index into the lights that were given
     bool drawn = false;     ///< false: it adds nothing to this view
     Verdict verdict = Verdict::Drawn;
-    TermVerdict noiseVerdict = TermVerdict::NotAsked, shadowVerdict = TermVerdict::NotAsked,
-                cookieVerdict = TermVerdict::NotAsked;
-    std::string_view technique;                          ///< name in slices.fx, of its fullest part
-    bool noise = false, shadow = false, cookie = false;  ///< that technique's switches
+    PerTerm<TermVerdict> verdicts;  ///< why each term is in `terms`, or not
+    TermSet terms;                  ///< of its fullest part
     double brightest = 0.0;  ///< no pixel gets more radiance from it, in its strongest channel; infinite where it
                              ///< was not asked for
     int slices = 0;          ///< that are drawn
     double nearDepth = 0.0, farDepth = 0.0;        ///< metres of view depth that the volume's slabs span, drawn or not
     double volumeNear = 0.0, volumeFar = 0.0;      ///< metres along the light's axis: all that its planes leave
     double seenNear = 0.0, seenFar = 0.0;          ///< of that, what the view can see
-    double firstOccluder = 0.0;                    ///< where `shadow`: metres along the axis before which none stands
+    double firstOccluder = 0.0;                    ///< with Term::Shadow: metres along the axis before which none stands
     bool divided = false;                          ///< some of its slices are drawn without shadow
     std::uint32_t firstWall = 0, walls = 0;        ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
 };
 
-/// One draw: some of a light's indices with one technique.
+/// One draw: some of a light's indices with the technique of some terms, techniqueName(terms).
 struct PlannedPart {
     std::uint32_t light = 0;      ///< into Plan::lights
     std::uint32_t group = 0;      ///< into Plan::groups
     std::uint32_t constants = 0;  ///< into Plan::constants
-    std::string_view technique;
-    bool noise = false, shadow = false, cookie = false;  ///< the technique's switches
-    std::uint32_t firstIndex = 0, indexCount = 0;        ///< into Plan::indices
+    TermSet terms;
+    std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices
     int slices = 0;
 };
 
@@ -173,8 +175,7 @@ struct Plan {
 ///
 /// Errors: InvalidArgument where a value breaks the bounds stated in Light, View and PlanOptions, where
 /// any of them is not finite (View::farPlane may be infinite), where the routed format meets a number of
-/// slices that four does not divide, where stretched quads meet more than two extra clip planes, where
-/// `technique` names none of slices.fx, where lights times slices exceed 2^24 (those that are drawn), where surveys
+/// slices that four does not divide, where stretched quads meet more than two extra clip planes, where lights times slices exceed 2^24 (those that are drawn), where surveys
 /// or depth tiles do not have the stated number of entries, where boxes, blockers or depths are no such thing, or where
 /// a light's strength or noise overflows the shader's floats. Lights that would not be drawn are checked too.
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
@@ -197,8 +198,5 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// The technique of slices.fx that has exactly these terms.
-std::string_view techniqueName(bool noise, bool shadow, bool cookie);
 
 }  // namespace tyndall

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "needs/plan_technique.h"
 
 namespace tyndall {
 
@@ -80,11 +79,6 @@ Result<void> checkOptions(const PlanOptions& options) {
         return broken(place + ": slices is " + std::to_string(options.slices) +
                       ": it must be a multiple of 4 where slices are routed into four channels; take " +
                       std::to_string(options.slices / 4 * 4 + 4) + ", or another accumulation format");
-    if (options.technique && !termsOf(*options.technique))
-        return broken(
-            place + ": technique is \"" + std::string(*options.technique) +
-            "\": it must name one of slices.fx; write clip_[no]noise_[no]shadow_[no]cookie_technique, as in " +
-            std::string(techniqueName(false, true, true)));
     return {};
 }
 

@@ -65,18 +65,18 @@ using Cuts = InlineVector<glm::dvec4, mostWalls + 8 + 2>;
 
 Cuts unseenBeyond(const Light& light, const Candidate& candidate) {
     Cuts cuts;
-    const LightVolume& volume = candidate.volume;
+    const LightVolume& volume = candidate.seen.volume;
     for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
         cuts.push_back(volume.planes[i]);
     for (const glm::dvec4& side : volume.beam) cuts.push_back(side);
-    const SeenAir& air = candidate.air;
+    const SeenAir& air = candidate.seen.air;
     if (!air.any) return cuts;
     const double length = volume.axisFar - volume.axisNear;
     const double margin = 1e-6 * light.farPlane;
     if (air.axisNear - volume.axisNear > 0.1 * length)
-        cuts.push_back(acrossAxis(candidate.pose, air.axisNear - margin, 1.0));
+        cuts.push_back(acrossAxis(candidate.seen.pose, air.axisNear - margin, 1.0));
     if (volume.axisFar - air.axisFar > 0.1 * length)
-        cuts.push_back(acrossAxis(candidate.pose, air.axisFar + margin, -1.0));
+        cuts.push_back(acrossAxis(candidate.seen.pose, air.axisFar + margin, -1.0));
     return cuts;
 }
 
@@ -106,18 +106,18 @@ constexpr double leastPart = 0.05;
 
 Partition partition(const Candidate& candidate) {
     Partition parts;
-    if (!candidate.divisible) return parts;
-    const SeenAir& air = candidate.air;
-    const ShadowNeed& need = candidate.shadow;
+    if (!candidate.needed.divisible) return parts;
+    const SeenAir& air = candidate.seen.air;
+    const ShadowNeed& need = candidate.needed.shadow;
     const double least = leastPart * (air.axisFar - air.axisNear);
-    parts.pose = &candidate.pose;
+    parts.pose = &candidate.seen.pose;
     parts.first = need.firstOccluder * (1.0 - mapRounding);
     parts.large = need.firstLarge * (1.0 - mapRounding);
     parts.shadeMin = need.shadeMin;
     parts.shadeMax = need.shadeMax;
-    if (parts.first - air.axisNear > least) parts.cuts.push_back(acrossAxis(candidate.pose, parts.first, -1.0));
+    if (parts.first - air.axisNear > least) parts.cuts.push_back(acrossAxis(candidate.seen.pose, parts.first, -1.0));
     if (std::min(parts.large, air.axisFar) - std::max(parts.first, air.axisNear) > least) {
-        if (parts.large < air.axisFar) parts.cuts.push_back(acrossAxis(candidate.pose, parts.large, -1.0));
+        if (parts.large < air.axisFar) parts.cuts.push_back(acrossAxis(candidate.seen.pose, parts.large, -1.0));
         for (int axis = 0; axis < 2; ++axis) {
             // Slices reach beyond what is seen of them; where the shade comes to its edge, it goes on.
             if (parts.shadeMin[axis] <= air.slideMin[axis]) parts.shadeMin[axis] = -HUGE_VAL;
@@ -127,7 +127,7 @@ Partition partition(const Candidate& candidate) {
                 if (std::isinf(slope)) continue;
                 glm::dvec4 side(0.0, 0.0, sign * slope, 0.0);  // sign * (x - slope * w), w = -z
                 side[axis] = sign;
-                parts.cuts.push_back(unitPlane(side * candidate.pose.lightFromView));
+                parts.cuts.push_back(unitPlane(side * candidate.seen.pose.lightFromView));
             }
         }
     } else {
@@ -154,25 +154,19 @@ InlineVector<SlicePolygon, 24> cutApart(const SlicePolygon& whole, const Partiti
     return pieces;
 }
 
-// With the light's fullest technique, and the constants that were the last to be appended.
+// With all terms of the light, and the constants that were the last to be appended.
 PlannedPart partOf(const Plan& plan, const PlannedLight& light) {
     PlannedPart part;
     part.light = static_cast<std::uint32_t>(light.light);
     part.constants = static_cast<std::uint32_t>(plan.constants.size() - 1);
-    part.technique = light.technique;
-    part.noise = light.noise;
-    part.shadow = light.shadow;
-    part.cookie = light.cookie;
+    part.terms = light.terms;
     return part;
 }
 
 // All indices from `firstIndex` on.
 void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex, int slices, bool shadow) {
     PlannedPart part = partOf(plan, light);
-    if (!shadow) {
-        part.shadow = false;
-        part.technique = techniqueName(part.noise, false, part.cookie);
-    }
+    if (!shadow) part.terms = part.terms.without(Term::Shadow);
     part.firstIndex = firstIndex;
     part.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - firstIndex;
     part.slices = slices;
@@ -197,7 +191,7 @@ void appendUmbra(Plan& plan, const PlannedLight& light, const std::vector<std::u
 // what both draw have the same corners, and after a rasterizer has rounded those, cover the same pixels.
 void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
                     const PlanOptions& options, std::vector<std::uint32_t>& scratch) {
-    const LightVolume& volume = candidate.volume;
+    const LightVolume& volume = candidate.seen.volume;
     const Planes planes = volumePlanes(volume);
     const Cuts cuts = unseenBeyond(source, candidate);
     const Partition parts = partition(candidate);
@@ -206,7 +200,7 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
     const glm::dvec2 margin = 1e-3 * (volume.boundsMax - volume.boundsMin);
     const glm::dvec2 rectangleMin = volume.boundsMin - margin;
     const glm::dvec2 rectangleMax = volume.boundsMax + margin;
-    const Range range = seenSlabs(candidate.slabs, candidate.air, options.everything);
+    const Range range = seenSlabs(candidate.slabs, candidate.seen.air, options.everything);
 
     light.firstIndex = static_cast<std::uint32_t>(plan.indices.size());
     scratch.clear();
@@ -249,7 +243,7 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
 
 void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, const PlanOptions& options) {
     const Slabs& slabs = candidate.slabs;
-    const Range range = seenSlabs(slabs, candidate.air, options.everything);
+    const Range range = seenSlabs(slabs, candidate.seen.air, options.everything);
     const bool shared = slabs.spacing == Spacing::Even;
     const int first = shared ? 0 : range.first;
     std::uint32_t start = shared ? 0 : static_cast<std::uint32_t>(plan.indices.size());

@@ -17,21 +17,24 @@ void leaveOutTheFaint(const PlanOptions& options, std::span<Candidate> candidate
                       std::vector<Omission>& scratch) {
     scratch.clear();
     const double budget = budgetShare * options.displayStep;
-    if (!(budget > 0.0) || options.everything || options.technique || options.look == Look::Article) return;
-    const auto offer = [&](double error, std::size_t candidate, Omission::Kind kind) {
-        if (error <= budget) scratch.push_back({error, static_cast<std::uint32_t>(candidate), kind});  // not NaN
+    if (!(budget > 0.0) || options.everything || options.terms || options.look == Look::Article) return;
+    const auto offer = [&](double error, std::size_t candidate, std::optional<Term> term) {
+        if (error <= budget) scratch.push_back({error, static_cast<std::uint32_t>(candidate), term});  // not NaN
     };
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& candidate = candidates[i];
         const PlannedLight& planned = lights[candidate.light];
-        offer(planned.brightest, i, Omission::Kind::Light);
-        if (planned.noise)
-            offer(candidate.base * candidate.cookie.largest() * candidate.noise.spread(), i, Omission::Kind::Noise);
-        if (planned.cookie)
-            offer(candidate.base * candidate.noise.largest() * candidate.cookie.spread(), i, Omission::Kind::Cookie);
+        offer(planned.brightest, i, std::nullopt);
+        for (const Term term : allTerms) {
+            if (!planned.terms.contains(term) || !hasStandIn(term)) continue;
+            double change = candidate.base;
+            for (const Term other : allTerms)
+                if (other != term) change *= candidate.needed.ranges[other].largest();
+            offer(change * candidate.needed.ranges[term].spread(), i, term);
+        }
     }
     std::sort(scratch.begin(), scratch.end(), [](const Omission& a, const Omission& b) {
-        return std::tie(a.error, a.candidate, a.kind) < std::tie(b.error, b.candidate, b.kind);
+        return std::tie(a.error, a.candidate, a.term) < std::tie(b.error, b.candidate, b.term);
     });
     double spent = 0.0;
     for (const Omission& omission : scratch) {
@@ -39,21 +42,14 @@ void leaveOutTheFaint(const PlanOptions& options, std::span<Candidate> candidate
         if (spent > budget) return;
         Candidate& candidate = candidates[omission.candidate];
         PlannedLight& planned = lights[candidate.light];
-        switch (omission.kind) {
-            case Omission::Kind::Light:
-                planned.verdict = Verdict::TooFaint;
-                break;
-            case Omission::Kind::Noise:
-                planned.noiseVerdict = TermVerdict::Invisible;
-                planned.noise = false;
-                candidate.noiseFactor = candidate.noise.middle().x;
-                break;
-            case Omission::Kind::Cookie:
-                planned.cookieVerdict = TermVerdict::Invisible;
-                planned.cookie = false;
-                candidate.cookieFactor = candidate.cookie.middle();
-                break;
+        if (!omission.term) {
+            planned.verdict = Verdict::TooFaint;
+            continue;
         }
+        const Term term = *omission.term;
+        planned.verdicts[term] = TermVerdict::Invisible;
+        planned.terms = planned.terms.without(term);
+        candidate.needed.standIns[term] = candidate.needed.ranges[term].middle();
     }
 }
 

@@ -14,7 +14,6 @@
 
 #include <memory>
 #include <span>
-#include <string_view>
 
 namespace tyndall {
 
@@ -62,7 +61,7 @@ ShadowCaster shadowCaster(const Occluder& occluder);
 
 /// What will be recorded, as far as pipelines depend on it.
 struct PipelineNeeds {
-    std::span<const std::string_view> techniques;  ///< of slices.fx, those of the lights to be drawn; may repeat
+    std::span<const TermSet> terms;  ///< those of the parts to be drawn; may repeat
     Accumulation accumulation = Accumulation::Rgba16f;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED where its depth will be null
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
@@ -107,11 +106,11 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();  ///< the GPU must have finished with everything recorded
 
-    /// Makes the pipelines that are needed and not there yet, each once, so that recording makes none: one for each
-    /// technique, one to composite where there is a technique, one for shadow maps. `parallel`, where given, lends
+    /// Makes the pipelines that are needed and not there yet, each once, so that recording makes none: one for each set
+    /// of terms, one to composite where there is such a set, one for shadow maps. `parallel`, where given, lends
     /// the threads: device.pipelineCache must then not be externally synchronized
     /// (VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT), and everything else of this Renderer waits.
-    /// Errors: InvalidArgument for a technique that slices.fx does not have, and where `parallel` leaves jobs out;
+    /// Errors: InvalidArgument where `parallel` leaves jobs out;
     /// UnsupportedDevice where the device cannot draw to a format; Vulkan. What could be made is kept then.
     Result<void> prepare(const PipelineNeeds& needs, const ParallelFor& parallel = {});
 

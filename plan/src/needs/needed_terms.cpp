@@ -1,0 +1,76 @@
+#include "needs/needed_terms.h"
+
+namespace tyndall {
+namespace {
+
+// The factor's bounds over what is seen; 1 for a light that does not ask for the term.
+FactorRange rangeOf(Term term, const Light& light, const SeenAir& air, const LightSurvey& survey) {
+    switch (term) {
+        case Term::Noise:
+            return noiseRange(light, survey.noise);
+        case Term::Shadow:
+            break;  // from 0 to 1 whatever it meets: nothing is gained by knowing
+        case Term::Cookie:
+            return cookieRange(light, air, survey.cookie);
+    }
+    return {};
+}
+
+// The verdict on a light whose term is 0 wherever it is seen.
+Verdict darknessOf(Term term) {
+    return term == Term::Noise ? Verdict::NoDust : Verdict::DarkCookie;
+}
+
+bool uniform(const FactorRange& range) {
+    return range.least == range.most;
+}
+
+}  // namespace
+
+PerTerm<TermVerdict> askedTerms(const Light& light, const PlanOptions& options) {
+    const TermSet asked = termsOf(light);
+    PerTerm<TermVerdict> verdicts;
+    for (const Term term : allTerms) {
+        TermVerdict& verdict = verdicts[term];
+        if (options.terms ? options.terms->contains(term) : options.everything)
+            verdict = TermVerdict::Forced;
+        else if (asked.contains(term))
+            verdict = options.terms ? TermVerdict::Overruled : TermVerdict::Drawn;
+    }
+    return verdicts;
+}
+
+NeededTerms neededTerms(const PlanContext& context, const Light& light, const LightSurvey& survey,
+                        const SeenLight& seen, const PerTerm<TermVerdict>& asked, std::vector<Shade>& scratch) {
+    const PlanOptions& options = context.options;
+    const bool physical = options.look == Look::Physical;
+    const bool chosen = !options.everything && !options.terms;
+    NeededTerms needed;
+    needed.verdicts = asked;
+    if (seen.air.any && physical)
+        for (const Term term : allTerms) needed.ranges[term] = rangeOf(term, light, seen.air, survey);
+    if (chosen && physical) {
+        for (const Term term : allTerms)
+            if (needed.ranges[term].largest() == 0.0) {
+                needed.verdict = darknessOf(term);
+                return needed;
+            }
+        for (const Term term : allTerms) {
+            const FactorRange& range = needed.ranges[term];
+            if (!termsOf(light).contains(term) || !hasStandIn(term) || !uniform(range)) continue;
+            needed.verdicts[term] = TermVerdict::Uniform;
+            needed.standIns[term] = range.middle();
+        }
+    }
+
+    needed.shadow = {false, light.nearPlane, light.nearPlane, {}, {}};
+    if (light.shadow && !options.terms && seen.air.any && context.surroundings.occluders) {
+        needed.shadow = shadowNeed(light, seen.pose, seen.air, {seen.walls.data(), seen.walls.size()},
+                                   context.occluders, options.shadowMapSize, scratch);
+        needed.divisible = needed.shadow.needed;
+        if (!options.everything && !needed.shadow.needed) needed.verdicts[Term::Shadow] = TermVerdict::NoOccluder;
+    }
+    return needed;
+}
+
+}  // namespace tyndall

@@ -1,0 +1,54 @@
+#include "visibility/seen_light.h"
+
+#include <algorithm>
+
+#include "visibility/pixel_size.h"
+
+namespace tyndall {
+namespace {
+
+// Metres that a rasterizer may move an edge of a slice, whose corners it rounds to 1/256 pixel: slices end so much
+// farther behind a wall. Otherwise a pixel whose slice lies just before the wall would lose its light.
+double snapping(const View& view, const PlanOptions& options, double maxDepth) {
+    constexpr double diagonal = 1.4143 / 512.0;
+    return diagonal * pixelSize(view, options.pictureHeight, maxDepth);
+}
+
+template <class Planes>
+std::span<const glm::dvec4> spanOf(const Planes& planes) {
+    return {planes.data(), planes.size()};
+}
+
+}  // namespace
+
+SeenLight seenLight(const PlanContext& context, const Light& light, const LightSurvey& survey,
+                    const PerTerm<TermVerdict>& asked, WallScratch& scratch) {
+    const auto& [view, options, surroundings, occluders, blockers, sides] = context;
+    const bool whole = options.everything;
+    SeenLight seen;
+    seen.pose = lightPose(light.worldFromLight, view.worldFromView);
+    if (!whole) seen.verdict = hiddenAtAGlance(light, view, seen.pose, spanOf(sides));
+    if (seen.verdict != Verdict::Drawn) return seen;
+
+    // Stretched quads have no clip distance to spare for walls.
+    if (light.shadow && asked[Term::Shadow] != TermVerdict::Overruled && options.geometry == Geometry::ExactPolygons)
+        seen.walls = wallsOf(light, view, seen.pose, surroundings.blockers, blockers, options.shadowMapSize, scratch);
+    InlineVector<glm::dvec4, 8> beam;
+    if (light.cookie && survey.cookie && asked[Term::Cookie] != TermVerdict::Overruled)
+        beam = beamSides(light, seen.pose, *survey.cookie);
+    ConvexPolyhedron lit;
+    seen.volume = lightVolume(light, view, seen.pose, spanOf(seen.walls), spanOf(beam), lit);
+    LightVolume& volume = seen.volume;
+    seen.verdict = volume.hidden;
+    seen.measured = volume.farDepth > volume.nearDepth;
+    if (!seen.drawable(options)) return seen;
+    const double moved = snapping(view, options, std::min(volume.farLit, volume.farShown));
+    for (std::size_t i = volume.planes.size() - volume.walls; i < volume.planes.size(); ++i)
+        volume.planes[i].w += moved;
+
+    if (seen.verdict == Verdict::Drawn) seen.air = seenAir(lit, view, seen.pose, surroundings.depth);
+    if (!seen.air.any && !whole) seen.verdict = Verdict::BehindTiles;
+    return seen;
+}
+
+}  // namespace tyndall
