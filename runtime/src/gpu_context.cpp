@@ -43,7 +43,7 @@ Result<Gpu> inspect(const DeviceContext& context) {
 }
 
 tl::unexpected<Error> vulkanError(const char* call, VkResult result) {
-    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + resultName(result), call, result});
+    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + resultName(result), result, call});
 }
 
 tl::unexpected<Error> invalidArgument(std::string message) {

@@ -72,7 +72,7 @@ void expectUndrawn(const Case& c, Verdict verdict, const std::string& sentence) 
         const PlannedLight forced = everything.planned();
         EXPECT_TRUE(forced.drawn) << sentence;
         EXPECT_EQ(forced.slices, 20) << sentence;
-        EXPECT_TRUE(forced.noise && forced.shadow && forced.cookie) << sentence;
+        EXPECT_EQ(forced.terms, TermSet::all()) << sentence;
         EXPECT_EQ(reason(forced, c.view), "The options ask for this technique, whatever the light calls for.");
     }
 }

@@ -22,8 +22,8 @@ enum class ErrorCode : std::uint16_t {
 struct Error {
     ErrorCode code = ErrorCode::InvalidArgument;
     std::string message;         ///< one sentence without a trailing newline: place, rule and remedy
-    std::string place = {};      ///< what the message is about, as the message names it: "light 3", "scene.glb"; may be empty
     std::int32_t apiResult = 0;  ///< the API's own result where `code` is Vulkan
+    std::string place = {};      ///< what the message is about, in the message's words: "light 3"; may be empty
 };
 
 template <class T>

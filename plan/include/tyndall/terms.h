@@ -31,7 +31,7 @@ class TermSet {
 public:
     constexpr TermSet() = default;
     constexpr TermSet(std::initializer_list<Term> terms) {
-        for (const Term term : terms) bits_ |= bitOf(term);
+        for (const Term term : terms) *this = with(term);
     }
     static constexpr TermSet all() { return TermSet(count - 1); }
 
