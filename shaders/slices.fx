@@ -129,7 +129,7 @@ float scattering(float3 position)
     float strength = abs(gScattering.x);
     float3 chord = unit(position) - away * unit(toEye);
     float base = gScattering.z * gScattering.z + strength * dot(chord, chord);
-    float phase = gScattering.z * (1.0 + strength) / (base * sqrt(base));
+    float phase = gScattering.z / base * ((1.0 + strength) / sqrt(base));
 
     return phase * exp(-gScattering.y * (length(position) + eyeDistance));
 }

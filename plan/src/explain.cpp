@@ -87,6 +87,8 @@ std::string reason(const PlannedLight& light, const View& view) {
             return "Not drawn: its cookie is black wherever its volume is seen.";
         case Verdict::NoDust:
             return "Not drawn: its noise is 0 everywhere.";
+        case Verdict::Absorbed:
+            return "Not drawn: its air absorbs all light before it reaches the eye.";
         case Verdict::TooFaint:
             return "Not drawn: no pixel would get more than a radiance of " + text(light.brightest) +
                    " from it, too little for the display to show.";

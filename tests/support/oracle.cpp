@@ -26,10 +26,6 @@ void widenByAdding(PixelSum& pixel, const std::array<std::array<double, 4>, 4>& 
 
 }  // namespace
 
-bool scatters(const Light& light) {
-    return light.anisotropy != 0.0 || light.albedo.has_value();
-}
-
 OracleImage oracle(const Shot& shot) {
     OracleImage image{shot.width, shot.height, 0.0, 0.0, {}};
     image.pixels.resize(static_cast<std::size_t>(shot.width) * shot.height);

@@ -26,7 +26,7 @@ struct Eye {
 
 /// Everything that one light's picture depends on.
 struct Shot {
-    Light light;  ///< `cookie`, `shadow` and `noise`, and scatters(), say which terms there are
+    Light light;  ///< `cookie`, `shadow`, `noise`, `anisotropy` and `albedo` say which terms there are
     Eye eye;
     int width = 128, height = 128;
     int slices = 16;
@@ -41,9 +41,6 @@ struct Shot {
     Texture shadowMap;   ///< one channel, stored depth
     Texture sceneDepth;  ///< one channel, stored depth, width x height; empty: nothing in the way
 };
-
-/// Whether the light asks for the scattering term.
-bool scatters(const Light& light);
 
 /// What the slices add up to at one pixel, in radiance (not scaled to a target's range).
 struct PixelSum {

@@ -117,6 +117,10 @@ Interval attenuation(const Shot& shot, const LightPoint& point) {
            constant(shot.article ? 0.25 : shot.light.ambient);
 }
 
+bool scatters(const Light& light) {
+    return light.anisotropy != 0.0 || light.albedo.has_value();
+}
+
 // What a particle sends to the eye of what it would send if it scattered evenly in clear air. The exact value comes
 // from the law of cosines in the triangle of lamp, particle and eye, and the interval from what the shader's own way
 // to it, by unit vectors, may lose of each step; e = 2^-24.
@@ -153,7 +157,8 @@ Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
     const auto baseAt = [&](double c) { return narrow * narrow + strength * c * c; };
     // 2 e for 1 - |g|, a product each, e for |g|, 4 e for the dot product, a sum: 8 e of a sum of positive terms.
     const Interval base = rounded({baseAt(std::max(0.0, chord - chordError)), baseAt(chord + chordError)}, 8.0);
-    const Interval phase = rounded(exactly(narrow * (1.0 + strength)), 4.0) / (base * squareRoot(base));
+    const Interval phase =
+        constant(narrow) / base * (rounded(exactly(1.0 + strength), 2.0) / squareRoot(base));
 
     // Parallel rays: a dot product and a difference of lengths as long as the lamp's depth and its way.
     const double wayError =
@@ -260,7 +265,8 @@ Masks masks(const FragmentContext& context, int x, int y, double depth) {
     const Shot& shot = context.shot;
     const Ray ray = pixelRay(shot, x + 0.5, y + 0.5);
     const LightPoint point = project(context, ray.origin + ray.perMetre * depth);
-    Masks masks{kOne, kOne, {kOne, kOne, kOne}};
+    Masks masks{kOne, kOne, kOne, {kOne, kOne, kOne}};
+    if (scatters(shot.light)) masks.scattering = scattered(context, ray.origin + ray.perMetre * depth);
     if (shot.light.noise) masks.noise = dust(context, point) / evenDust(shot);
     if (shot.light.shadow) masks.shadow = lightThrough(context, point);
     if (shot.light.cookie)

@@ -87,6 +87,7 @@ enum class Verdict : std::uint8_t {
     BehindTiles,  ///< surfaces hide its volume, by Surroundings::depth
     DarkCookie,   ///< its cookie is black wherever its volume is seen
     NoDust,       ///< its noise is 0 everywhere, or its gain
+    Absorbed,     ///< its air absorbs all light on the way to what is seen and back to the eye
     TooFaint,     ///< see PlanOptions::displayStep
 };
 
@@ -97,8 +98,8 @@ enum class TermVerdict : std::uint8_t {
     Forced,      ///< PlanOptions::terms or ::everything
     Overruled,   ///< PlanOptions::terms leave it out
     NoOccluder,  ///< shadow: nothing stands between the lamp and the air that is seen
-    Uniform,     ///< cookie, noise: the same wherever it is seen; a factor takes its place
-    Invisible,   ///< cookie, noise: differs by less than the display shows; its mean takes its place
+    Uniform,     ///< cookie, noise, scattering: the same wherever it is seen; a factor takes its place
+    Invisible,   ///< cookie, noise, scattering: differs by less than the display shows; its mean takes its place
 };
 
 /// Whether a term with this verdict is among those that the light is drawn with.

@@ -8,7 +8,7 @@
 
 namespace tyndall {
 
-/// Radiance that no pixel exceeds, in the light's strongest channel, with noise, cookie and shadow of 1. Holds for
+/// Radiance that no pixel exceeds, in the light's strongest channel, with every term's factor 1. Holds for
 /// the integral and for the sum of the slices alike.
 ///
 /// Along a ray, d >= the least distance D. The integral of dt / d^2 over a length L is at most L / D^2, and at most
