@@ -3,7 +3,10 @@
 // the view direction; every plane is drawn once, adding the light that its slab of air scatters
 // towards the eye:
 //
-//   L = density / (4 pi) * integral over the ray of noise * cookie * shadow * (I / d^2 + ambient) dt
+//   L = density / (4 pi) * integral over the ray of
+//       noise * cookie * shadow * phase * transmittance * (I / d^2 + ambient) dt
+//
+// with phase and transmittance 1 unless a technique scatters; see scattering().
 //
 // Spaces: *view* has the eye at the origin and looks along -Z; *light* has the lamp at the origin and
 // looks along -Z with +Y up. Both are in metres. Matrices multiply column vectors: mul(matrix, vector).
@@ -23,6 +26,9 @@ float4   gNoise2;
 float4   gColour;          // rgb: light colour * density / (4 pi) * target scale, w: 1 = one grey value
 float4   gWeight;          // x: factor, y: exponent of the slab's thickness, z: of the ray's slant (1 or 0 each)
 float4   gShadow;          // stored depth = x + y / w; z: map size in texels, w: bias in metres
+float4   gScattering;      // x: anisotropy g, y: extinction in 1/m, z: 1 - |g|, w: 1 = view rays are parallel
+float4   gEye;             // light space; xyz: the eye, or of parallel rays the unit direction to it and in w the
+                           // lamp's view depth in metres
 
 sampler2D CookieSampler = sampler_state
 {
@@ -94,6 +100,40 @@ float4 project(sampler2D map, float4 tc)
     return tex2Dlod(map, float4(tc.xy / tc.w, 0.0, 0.0));
 }
 
+// Of unit length; 0 for a vector too short to have a direction.
+float3 unit(float3 v)
+{
+    return v * rsqrt(max(dot(v, v), 1e-30));
+}
+
+// What a particle at `position` (light space) sends to the eye, as a share of what a particle sends that scatters
+// evenly in clear air: phase * transmittance. It holds for `ambient` as well, which is light of the lamp.
+//
+// The phase function is that of Henyey and Greenstein (Astrophysical Journal 93, 1941) times 4 pi: 1 for g = 0. With
+// g > 0 air is brightest where one looks towards the lamp.
+//
+//   phase = (1 - g^2) / (1 + g^2 - 2 g cos)^(3/2),  cos = dot(lamp to particle, particle to eye)
+//   transmittance = exp(-extinction * (distance lamp to particle + distance particle to eye))
+//
+// Extinction is that of evenly filled air: noise does not change it, or each slice would need an integral of its own
+// along both ways.
+float scattering(float3 position)
+{
+    bool parallel = gScattering.w > 0.0;
+    float3 toEye = parallel ? gEye.xyz : gEye.xyz - position;
+    float eyeDistance = parallel ? gEye.w - dot(gEye.xyz, position) : length(toEye);
+
+    // 1 + g^2 - 2 g cos = (1 - |g|)^2 + |g| |a -+ b|^2 with the unit vectors a and b: no term cancels where |g| and
+    // cos are near 1.
+    float away = gScattering.x < 0.0 ? -1.0 : 1.0;
+    float strength = abs(gScattering.x);
+    float3 chord = unit(position) - away * unit(toEye);
+    float base = gScattering.z * gScattering.z + strength * dot(chord, chord);
+    float phase = gScattering.z / base * ((1.0 + strength) / sqrt(base));
+
+    return phase * exp(-gScattering.y * (length(position) + eyeDistance));
+}
+
 // The slice shader: what one slab of air, seen at one pixel, adds to the picture.
 float4 ps_main(float4 tcProj        : TEXCOORD0,
                float4 tcProjScroll1 : TEXCOORD1,
@@ -103,7 +143,8 @@ float4 ps_main(float4 tcProj        : TEXCOORD0,
                float4 ChannelMask   : COLOR0,
                uniform bool bScrollingNoise,
                uniform bool bShadowMapping,
-               uniform bool bCookie) : COLOR0
+               uniform bool bCookie,
+               uniform bool bScattering) : COLOR0
 {
     float compositeNoise = gDust.x;
     if (bScrollingNoise)
@@ -134,10 +175,14 @@ float4 ps_main(float4 tcProj        : TEXCOORD0,
     float3 d = lsPos_depth.xyz * gAttenuation.z;
     float atten = gAttenuation.x / dot(d, d) + gAttenuation.y;
 
+    float scattered = 1.0;
+    if (bScattering)
+        scattered = scattering(lsPos_depth.xyz);
+
     // A slice stands for its slab: as long as this pixel's ray stays in it.
     float thickness = gWeight.y > 0.0 ? slab.w : 1.0;
     float slant = gWeight.z > 0.0 ? length(slab.xyz) : 1.0;
-    float intensity = mask * atten * (gWeight.x * thickness * slant);
+    float intensity = mask * atten * scattered * (gWeight.x * thickness * slant);
 
     float3 colour = gColour.rgb * cookie * intensity;
     float grey = dot(colour, float3(0.2126, 0.7152, 0.0722));  // Rec. 709 luminance
@@ -149,17 +194,26 @@ float4 ps_main(float4 tcProj        : TEXCOORD0,
     AlphaBlendEnable = TRUE; SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
     ZEnable = TRUE; ZWriteEnable = FALSE; CullMode = NONE;
 
-#define SLICE_TECHNIQUE(name, noise, shadow, cookie) \
+#define SLICE_TECHNIQUE(name, noise, shadow, cookie, scattering) \
     technique name { pass p0 { \
         VertexShader = compile vs_3_0 vs_main(); \
-        PixelShader = compile ps_3_0 ps_main(noise, shadow, cookie); \
+        PixelShader = compile ps_3_0 ps_main(noise, shadow, cookie, scattering); \
         ADD_SLICES } }
 
-SLICE_TECHNIQUE(clip_noise_shadow_cookie_technique,       true,  true,  true)
-SLICE_TECHNIQUE(clip_noise_shadow_nocookie_technique,     true,  true,  false)
-SLICE_TECHNIQUE(clip_noise_noshadow_cookie_technique,     true,  false, true)
-SLICE_TECHNIQUE(clip_noise_noshadow_nocookie_technique,   true,  false, false)
-SLICE_TECHNIQUE(clip_nonoise_shadow_cookie_technique,     false, true,  true)
-SLICE_TECHNIQUE(clip_nonoise_shadow_nocookie_technique,   false, true,  false)
-SLICE_TECHNIQUE(clip_nonoise_noshadow_cookie_technique,   false, false, true)
-SLICE_TECHNIQUE(clip_nonoise_noshadow_nocookie_technique, false, false, false)
+SLICE_TECHNIQUE(clip_noise_shadow_cookie_technique,       true,  true,  true,  false)
+SLICE_TECHNIQUE(clip_noise_shadow_nocookie_technique,     true,  true,  false, false)
+SLICE_TECHNIQUE(clip_noise_noshadow_cookie_technique,     true,  false, true,  false)
+SLICE_TECHNIQUE(clip_noise_noshadow_nocookie_technique,   true,  false, false, false)
+SLICE_TECHNIQUE(clip_nonoise_shadow_cookie_technique,     false, true,  true,  false)
+SLICE_TECHNIQUE(clip_nonoise_shadow_nocookie_technique,   false, true,  false, false)
+SLICE_TECHNIQUE(clip_nonoise_noshadow_cookie_technique,   false, false, true,  false)
+SLICE_TECHNIQUE(clip_nonoise_noshadow_nocookie_technique, false, false, false, false)
+
+SLICE_TECHNIQUE(clip_noise_shadow_cookie_scattering_technique,       true,  true,  true,  true)
+SLICE_TECHNIQUE(clip_noise_shadow_nocookie_scattering_technique,     true,  true,  false, true)
+SLICE_TECHNIQUE(clip_noise_noshadow_cookie_scattering_technique,     true,  false, true,  true)
+SLICE_TECHNIQUE(clip_noise_noshadow_nocookie_scattering_technique,   true,  false, false, true)
+SLICE_TECHNIQUE(clip_nonoise_shadow_cookie_scattering_technique,     false, true,  true,  true)
+SLICE_TECHNIQUE(clip_nonoise_shadow_nocookie_scattering_technique,   false, true,  false, true)
+SLICE_TECHNIQUE(clip_nonoise_noshadow_cookie_scattering_technique,   false, false, true,  true)
+SLICE_TECHNIQUE(clip_nonoise_noshadow_nocookie_scattering_technique, false, false, false, true)

@@ -87,6 +87,8 @@ std::string reason(const PlannedLight& light, const View& view) {
             return "Not drawn: its cookie is black wherever its volume is seen.";
         case Verdict::NoDust:
             return "Not drawn: its noise is 0 everywhere.";
+        case Verdict::Absorbed:
+            return "Not drawn: its air absorbs all light before it reaches the eye.";
         case Verdict::TooFaint:
             return "Not drawn: no pixel would get more than a radiance of " + text(light.brightest) +
                    " from it, too little for the display to show.";
@@ -102,8 +104,7 @@ std::vector<std::string> savings(const PlannedLight& light) {
     for (const Term term : allTerms) {
         const std::string name(nameOf(term));
         if (light.verdicts[term] == TermVerdict::Uniform)
-            sentences.push_back("No " + name +
-                                ": it is the same all over what is seen; a factor takes its place.");
+            sentences.push_back("No " + name + ": it is the same all over what is seen; a factor takes its place.");
         if (light.verdicts[term] == TermVerdict::Invisible)
             sentences.push_back("No " + name +
                                 ": it differs by less than the display shows; its mean takes its place.");

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "needs/brightness.h"
+#include "needs/scattering.h"
 #include "plan_stages.h"
 #include "shape/attenuation.h"
 #include "shape/light_shape.h"
@@ -32,6 +33,8 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
         const double repeats = std::max({1.0, std::fabs(light.noise->scale.x), std::fabs(light.noise->scale.y)});
         detail = std::min(detail, width / repeats * (survey.noise ? survey.noise->detail : 1.0 / 64.0));
     }
+    // The phase function's peak is as wide as that.
+    if (light.anisotropy != 0.0) detail = std::min(detail, 1.0 - std::fabs(light.anisotropy));
     if (light.shadow) detail = std::min(detail, width / options.shadowMapSize * 4.0);
     return detail;
 }
@@ -39,7 +42,7 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
 // Metres of air at the lamp's end whose light is half a display step.
 double visibleSlab(const Light& light, const PlanOptions& options) {
     const double perMetre = light.density * strongest(light.colour) / (4.0 * 3.14159265358979) *
-                            maxAttenuation(light);
+                            maxAttenuation(light) * phasePeak(light);
     return perMetre > 0.0 ? 0.5 * options.displayStep / perMetre : 0.0;
 }
 

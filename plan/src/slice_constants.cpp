@@ -64,6 +64,19 @@ glm::vec4 weightConstants(const View& view, const PlanOptions& options) {
     return glm::dvec4(1.0, 1.0, view.orthographic ? 0.0 : 1.0, 0.0);
 }
 
+// The published picture scatters evenly in clear air.
+glm::vec4 scatteringConstants(const Light& light, const View& view, const PlanOptions& options) {
+    const bool physical = options.look == Look::Physical;
+    const double g = physical ? light.anisotropy : 0.0;
+    const double extinction = physical && light.albedo ? light.density / *light.albedo : 0.0;
+    return glm::dvec4(g, extinction, 1.0 - std::abs(g), view.orthographic ? 1.0 : 0.0);
+}
+
+glm::vec4 eyeConstants(const View& view, const LightPose& pose) {
+    if (!view.orthographic) return glm::dvec4(glm::dvec3(pose.lightFromView[3]), 0.0);
+    return glm::dvec4(glm::normalize(glm::dvec3(pose.lightFromView[2])), -pose.viewFromLight[3].z);
+}
+
 // Bounds that hold the volume after rounding to float: slightly too large costs nothing, the clip planes
 // cut off the rest. Depth is left alone, so that both geometries have their slices at the same depths.
 void stretchOver(SliceConstants& constants, const LightVolume& volume, const Slabs& slabs) {
@@ -107,6 +120,8 @@ SliceConstants sliceConstants(const Light& light, const View& view, const PlanOp
     constants.colour = colourConstants(light, options, standIns);
     constants.weight = weightConstants(view, options);
     constants.shadow = shadowConstants(light, options, shadowBias);
+    constants.scattering = scatteringConstants(light, view, options);
+    constants.eye = eyeConstants(view, pose);
     return constants;
 }
 

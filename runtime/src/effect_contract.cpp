@@ -28,6 +28,8 @@ constexpr BlockMember sliceMembers[] = {
     {"gColour", offsetof(SliceConstants, colour), 16},
     {"gWeight", offsetof(SliceConstants, weight), 16},
     {"gShadow", offsetof(SliceConstants, shadow), 16},
+    {"gScattering", offsetof(SliceConstants, scattering), 16},
+    {"gEye", offsetof(SliceConstants, eye), 16},
 };
 constexpr std::string_view sliceSamplers[] = {"CookieSampler", "ScrollingNoiseSampler", "ShadowMapSampler"};
 // All that the effect built in has: one for each set of terms.

@@ -82,6 +82,15 @@ Checked checkLight(const ReferenceLight& reference, std::size_t index, Mode mode
          {light.colour.r, light.colour.g, light.colour.b, light.intensity, light.density, light.ambient})
         if (!(strength >= 0.0 && std::isfinite(strength)))
             return broken("{}: a strength of {} must be finite and not negative; correct it", place, strength);
+    if (!(std::abs(light.anisotropy) < 1.0))
+        return broken("{}: its anisotropy of {} must lie between -1 and 1, both excluded; correct it", place,
+                      light.anisotropy);
+    if (light.albedo && !(*light.albedo > 0.0 && *light.albedo <= 1.0))
+        return broken("{}: its albedo of {} must be over 0 and at most 1; correct it, or leave it out for clear air",
+                      place, *light.albedo);
+    if (light.albedo && !std::isfinite(light.density / *light.albedo))
+        return broken("{}: its density of {} over its albedo of {} must be finite; raise the albedo", place,
+                      light.density, *light.albedo);
     for (const glm::dvec4& plane : light.clipPlanes)
         if (!std::isfinite(plane.x + plane.y + plane.z + plane.w) || glm::length(glm::dvec3(plane)) == 0.0)
             return broken("{}: a clip plane must be finite and have a normal; correct it", place);

@@ -6,6 +6,7 @@
 
 #include "cone.h"
 #include "inverse_square.h"
+#include "scattering.h"
 
 namespace tyndall::study {
 namespace {
@@ -21,7 +22,7 @@ TexelPath noisePath(const ReferenceLight& light, const Projected& uv, glm::dvec2
                      {scaled(uv.u, scale.x, phase(scroll.x * time)), scaled(uv.v, scale.y, phase(scroll.y * time))});
 }
 
-/// Everything that multiplies (I / d^2 + ambient) within a stretch in which no texture changes its cell.
+/// What cookie, shadow, noise and cone leave of the light within a stretch in which no texture changes its cell.
 struct Masks {
     std::optional<Cell> cookie, noise1, noise2, shadow;
     std::array<bool, 4> corners{};
@@ -57,7 +58,11 @@ struct Masks {
 class Integral {
 public:
     Integral(const ReferenceLight& light, const LightRay& ray, double accuracy)
-        : intensity_(light.light.intensity), ambient_(light.light.ambient), ray_(ray), accuracy_(accuracy) {}
+        : intensity_(light.light.intensity),
+          ambient_(light.light.ambient),
+          ray_(ray),
+          scattering_(light.light, ray),
+          accuracy_(accuracy) {}
 
     void add(Span span, const Masks& masks) {
         if (masks.constant()) {
@@ -65,13 +70,7 @@ public:
             return;
         }
         flush();
-        // The angle from the lamp has its corner at the foot: one side at a time.
-        if (span.begin < 0.0 && span.end > 0.0) {
-            addVarying({span.begin, 0.0}, masks);
-            addVarying({0.0, span.end}, masks);
-        } else {
-            addVarying(span, masks);
-        }
+        addVarying(span, [&](double s) { return masks.at(s); });
     }
 
     Quadrature result() {
@@ -80,7 +79,7 @@ public:
     }
 
 private:
-    // Neighbours of the same value become one closed form.
+    // Neighbours of the same value become one integral.
     void addConstant(Span span, const glm::dvec3& value) {
         if (!pending_.empty() && pending_.end == span.begin && value == value_) {
             pending_.end = span.end;
@@ -92,7 +91,9 @@ private:
     }
 
     void flush() {
-        if (!pending_.empty()) {
+        if (!pending_.empty() && !scattering_.none()) {
+            addVarying(pending_, [this](double) { return value_; });
+        } else if (!pending_.empty()) {
             const double light = intensity_ * inverseSquareIntegral(pending_.begin, pending_.end, ray_.distance) +
                                  ambient_ * (pending_.end - pending_.begin);
             sum_.value += value_ * light;
@@ -100,12 +101,28 @@ private:
         pending_ = {};
     }
 
-    void addVarying(Span span, const Masks& masks) {
+    // `mask` (double -> dvec3) is smooth within `span`.
+    template <class Mask>
+    void addVarying(Span span, const Mask& mask) {
+        places_.assign({span.begin, span.end});
+        // The angle from the lamp has its corner at the foot: one side at a time.
+        if (span.begin < 0.0 && span.end > 0.0) places_.push_back(0.0);
+        scattering_.addBreakpoints(places_, span);
+        std::sort(places_.begin(), places_.end());
+        for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+            const Span piece{places_[i], places_[i + 1]};
+            if (!piece.empty()) addSmooth(piece, mask);
+        }
+    }
+
+    template <class Mask>
+    void addSmooth(Span span, const Mask& mask) {
         const AngleFromLamp angle(span.begin, span.end, ray_.distance);
         const double h2 = ray_.distance * ray_.distance;
         const auto integrand = [&](double x) {
             const double s = angle.at(x);
-            return masks.at(s) * (intensity_ + ambient_ * (h2 + s * s));
+            const glm::dvec3 lit = mask(s) * (intensity_ + ambient_ * (h2 + s * s));
+            return scattering_.none() ? lit : lit * scattering_.at(s);
         };
         Quadrature part = integrate(integrand, 0.0, 1.0, accuracy_);
         sum_.value += angle.measure() * part.value;
@@ -115,9 +132,11 @@ private:
 
     double intensity_, ambient_;
     const LightRay& ray_;
+    Scattering scattering_;
     double accuracy_;
     Quadrature sum_;
     Span pending_;
+    std::vector<double> places_;
     glm::dvec3 value_{0.0};
 };
 

@@ -18,8 +18,8 @@ struct TexturePaths {
 
 TexturePaths texturePaths(const ReferenceLight& light, const LightRay& ray, double time);
 
-/// Integral over the lit spans of noise * cookie * shadow * (I / d^2 + ambient) ds, without the light's colour
-/// and density, to the relative error `accuracy` in each channel. `shadow` is the shadow map's path.
+/// Integral over the lit spans of noise * cookie * shadow * phase * transmittance * (I / d^2 + ambient) ds, without the
+/// light's colour and density, to the relative error `accuracy` in each channel. `shadow` is the shadow map's path.
 Quadrature lightIntegral(const ReferenceLight& light, const LightRay& ray, const TexturePaths& paths,
                          const TexelPath& shadow, const ShadowMap& map, const std::vector<LitSpan>& lit,
                          double accuracy);

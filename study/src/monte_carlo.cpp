@@ -50,7 +50,7 @@ double falloff(const Cone& cone, double angle) {
     return share * share;
 }
 
-struct Scattering {
+struct PointTest {
     const ReferenceScene& scene;
     const ReferenceLight& light;
     const Surfaces& surfaces;
@@ -72,6 +72,20 @@ struct Scattering {
         // From where the near plane is crossed: what stands before it throws no shadow.
         const glm::dvec3 start = p * (light.light.nearPlane / -p.z);
         return surfaces.blocked(glm::dvec3(glm::inverse(lightFromView) * glm::dvec4(start, 1.0)), view) ? 0.0 : 1.0;
+    }
+
+    // Henyey and Greenstein's phase function times 4 pi, and what the air leaves of the light on both ways. Points
+    // see an eye at the view's origin, or one infinitely far behind the plane of depth 0.
+    double scattered(const glm::dvec3& view) const {
+        const Light& l = light.light;
+        const glm::dvec3 fromLamp = view - glm::dvec3(glm::inverse(lightFromView)[3]);
+        const glm::dvec3 toEye = scene.view.orthographic ? glm::dvec3(0.0, 0.0, 1.0) : glm::normalize(-view);
+        const double cosine = glm::dot(glm::normalize(fromLamp), toEye);
+        const double g = l.anisotropy;
+        const double phase = (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
+        if (!l.albedo) return phase;
+        const double back = scene.view.orthographic ? -view.z : glm::length(view);
+        return phase * std::exp(-l.density / *l.albedo * (glm::length(fromLamp) + back));
     }
 
     // Of the integrand at a point of view space.
@@ -99,7 +113,7 @@ struct Scattering {
         glm::dvec3 colour = l.colour * (l.density / (4.0 * std::numbers::pi));
         if (l.cookie)
             for (int c = 0; c < 3; ++c) colour[c] *= sample(light.cookie, u, v, c, false);
-        return colour * (mask * (l.intensity / glm::dot(p, p) + l.ambient));
+        return colour * (mask * scattered(view) * (l.intensity / glm::dot(p, p) + l.ambient));
     }
 };
 
@@ -125,7 +139,7 @@ tl::expected<Estimate, std::string> monteCarlo(const ReferenceScene& scene, int 
     std::array<glm::dvec3, replicates> sums{};
     for (const ReferenceLight& light : scene.lights) {
         const glm::dmat4 lightFromView = glm::inverse(light.light.worldFromLight) * scene.view.worldFromView;
-        const Scattering scattering{scene, light, surfaces, lightFromView};
+        const PointTest test{scene, light, surfaces, lightFromView};
         const glm::dvec3 lamp(glm::inverse(lightFromView)[3]);
         const double foot = glm::dot(lamp - ray.origin, ray.direction);
         const double h = glm::length(lamp - ray.origin - foot * ray.direction);
@@ -144,7 +158,7 @@ tl::expected<Estimate, std::string> monteCarlo(const ReferenceScene& scene, int 
                 const double place = std::fmod(i + shift + unit(random), strata);
                 const double s = h * std::tan(from + place * width);
                 // Density of s: h / ((to - from) (h^2 + s^2)).
-                sum += scattering.at(ray.origin + (foot + s) * ray.direction) * ((h * h + s * s) / h * width);
+                sum += test.at(ray.origin + (foot + s) * ray.direction) * ((h * h + s * s) / h * width);
             }
         }
     }

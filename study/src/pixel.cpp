@@ -6,6 +6,7 @@
 
 #include "light_integral.h"
 #include "occlusion.h"
+#include "scattering.h"
 
 namespace tyndall::study {
 namespace {
@@ -24,9 +25,11 @@ double edgeErrorOf(Mode mode, const Light& light, const LightRay& ray, Span span
 
 // What that is in light: each edge of a lit stretch that is not an end of the span may add or take so much.
 double edgeLight(Mode mode, const Light& light, const LightRay& ray, Span span, const std::vector<LitSpan>& lit) {
+    const Scattering scattering(light, ray);
     const double gain = light.noise ? light.noise->gain : 1.0;
     const auto brightness = [&](double s) {
-        return gain * (light.intensity / (ray.distance * ray.distance + s * s) + light.ambient);
+        return gain * (light.intensity / (ray.distance * ray.distance + s * s) + light.ambient) *
+               (scattering.none() ? 1.0 : scattering.at(s));
     };
     double sum = 0.0;
     for (const LitSpan& stretch : lit) {
@@ -87,7 +90,8 @@ Pixel integratePixel(const PreparedScene& prepared, int x, int y, double accurac
                                                   prepared.shadowMaps[i], lit, accuracy);
         pixel.radiance += scatter * integral.value;
         const double edges = light.light.shadow ? edgeLight(scene.mode, light.light, ray, span, lit) : 0.0;
-        pixel.error += scatter * (integral.error + rounding * integral.value + edges);
+        const double rounded = rounding * (1.0 + Scattering(light.light, ray).conditioning(span));
+        pixel.error += scatter * (integral.error + rounded * integral.value + edges);
         pixel.evaluations += integral.evaluations;
     }
     return pixel;

@@ -55,8 +55,8 @@ TEST_F(BrokenPermutation, NothingIsBlamedWhereNothingIsBroken) {
 
 TEST_F(BrokenPermutation, AWrongSwitchIsBlamedOnItsTechniqueByEveryTier) {
     const std::string broken = "clip_nonoise_shadow_cookie_technique";
-    const std::regex declared(broken + R"(,\s*false,\s*true,\s*true\))");
-    const std::string text = std::regex_replace(kSlices, declared, broken + ", false, true, false)");
+    const std::regex declared(broken + R"(,\s*false,\s*true,\s*true,)");
+    const std::string text = std::regex_replace(kSlices, declared, broken + ", false, true, false,");
     ASSERT_NE(text, kSlices);
     const Ran ran = tryOut(text, "*GoldenTest*:*MaskTest*:*LiveTest*:*SpirvTest*:*TechniqueTest*" + broken + "*");
     EXPECT_EQ(ran.status, 1) << ran.text;
@@ -83,17 +83,18 @@ TEST_F(BrokenPermutation, AFaultInOneTermIsBlamedOnTheTechniquesThatHaveItAndOnT
     EXPECT_EQ(blamed("mask of noise"), Names{});
 }
 
-/// slices.fx with a fourth switch, off in the techniques there were and on in two further ones; and with one more
+/// slices.fx with one switch more, off in the techniques there were and on in two further ones; and with one more
 /// technique, which says again what another has said.
 std::string withAnAxisMore() {
-    std::string text =
-        replaced(kSlices, "uniform bool bCookie) : COLOR0", "uniform bool bCookie, uniform bool bRed) : COLOR0");
+    std::string text = replaced(kSlices, "uniform bool bScattering) : COLOR0",
+                                "uniform bool bScattering, uniform bool bRed) : COLOR0");
     text = replaced(text, "    return ChannelMask *", "    if (bRed) colour.gb *= 0.25;\n    return ChannelMask *");
-    text = replaced(text, "ps_main(noise, shadow, cookie)", "ps_main(noise, shadow, cookie, RED)");
+    text =
+        replaced(text, "ps_main(noise, shadow, cookie, scattering)", "ps_main(noise, shadow, cookie, scattering, RED)");
     return replaced(text, "#define SLICE_TECHNIQUE", "#define RED false\n#define SLICE_TECHNIQUE") +
-           "SLICE_TECHNIQUE(added_technique, true, true, true)\n#undef RED\n#define RED true\n"
-           "SLICE_TECHNIQUE(added_red_technique, true, true, true)\n"
-           "SLICE_TECHNIQUE(added_plain_red_technique, false, false, false)\n";
+           "SLICE_TECHNIQUE(added_technique, true, true, true, true)\n#undef RED\n#define RED true\n"
+           "SLICE_TECHNIQUE(added_red_technique, true, true, true, true)\n"
+           "SLICE_TECHNIQUE(added_plain_red_technique, false, false, false, false)\n";
 }
 
 // What the effect declares is what is tried, without a word in the tests: whatever is new lacks its goldens, and

@@ -31,7 +31,8 @@ std::vector<MaskCase> cases() {
     std::vector<MaskCase> all;
     for (const Permutation& permutation : predictedPermutations())
         for (const bool article : {false, true}) {
-            for (const Term term : {Term::Noise, Term::Shadow, Term::Cookie})
+            if (article && !permutation.drawsTheArticle()) continue;
+            for (const Term term : allTerms)
                 if (permutation.terms.contains(term)) all.push_back({permutation, term, article});
         }
     return all;

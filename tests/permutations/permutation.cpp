@@ -14,7 +14,7 @@ namespace tyndall::test {
 namespace {
 
 /// The switch of each term, as slices.fx spells it.
-constexpr PerTerm<std::string_view> kSwitches{{"bScrollingNoise", "bShadowMapping", "bCookie"}};
+constexpr PerTerm<std::string_view> kSwitches{{"bScrollingNoise", "bShadowMapping", "bCookie", "bScattering"}};
 
 bool switchOf(const permgen::Technique& technique, std::string_view axis) {
     for (const permgen::Constant& constant : technique.passes[0].pixel.constants)

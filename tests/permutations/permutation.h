@@ -29,6 +29,8 @@ struct Permutation {
 
     std::string name() const { return std::string(technique->name); }
     std::string effect() const { return std::string(effectTables().name); }
+    /// plan() can choose it with the article's constants: the published picture scatters evenly in clear air.
+    bool drawsTheArticle() const { return !terms.contains(Term::Scattering); }
     const permgen::Pass& pass() const { return technique->passes[0]; }
     /// {"bCookie", "true"} and so on, both stages together.
     std::vector<std::pair<std::string, std::string>> constants() const;

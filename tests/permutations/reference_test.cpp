@@ -19,6 +19,8 @@ study::Texture studyTexture(const Texture& texture) {
 void giveArticleConstants(Light& light, double depthExtent) {
     light.intensity = 20000.0 * 0.0254 * 0.0254;
     light.ambient = 0.25;
+    light.anisotropy = 0.0;
+    light.albedo.reset();
     light.density = 4.0 * std::numbers::pi * 900.0 / depthExtent;
     if (light.noise)
         light.noise->gain = 0.05;
@@ -77,6 +79,7 @@ std::vector<Case> cases() {
     for (const Permutation& permutation : predictedPermutations())
         for (const NamedShot& shot : shots()) {
             if (shot.name.starts_with("side_")) continue;  // these differ in the number of slices alone
+            if (shot.shot.article && !permutation.drawsTheArticle()) continue;
             const bool everyTerm = permutation.terms == TermSet::all();
             if (!everyTerm && shot.name != "side" && shot.name != "surface" && shot.name != "article_look") continue;
             all.push_back({permutation, {shot.name, shotFor(permutation, shot.shot)}});

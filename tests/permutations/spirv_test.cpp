@@ -67,18 +67,12 @@ TEST_P(SpirvTest, FrozenModulesAreValidAndUseExactlyWhatIsLive) {
 
 // The name says what the technique is for, its switches what it does.
 TEST_P(SpirvTest, ItsSwitchesAreWhatItsNameSays) {
-    const Permutation& one = GetParam();
-    for (const permgen::Constant& constant : one.pass().pixel.constants) {
-        if (constant.name == "bScrollingNoise") {
-            EXPECT_EQ(constant.bits != 0, one.noise);
-        }
-        if (constant.name == "bShadowMapping") {
-            EXPECT_EQ(constant.bits != 0, one.shadow);
-        }
-        if (constant.name == "bCookie") {
-            EXPECT_EQ(constant.bits != 0, one.cookie);
-        }
-    }
+    constexpr PerTerm<std::string_view> switches{{"bScrollingNoise", "bShadowMapping", "bCookie", "bScattering"}};
+    for (const permgen::Constant& constant : GetParam().pass().pixel.constants)
+        for (const Term term : allTerms)
+            if (constant.name == switches[term]) {
+                EXPECT_EQ(constant.bits != 0, GetParam().terms.contains(term)) << constant.name;
+            }
 }
 
 }  // namespace

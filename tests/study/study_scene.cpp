@@ -24,6 +24,20 @@ View eye(glm::dvec3 position, glm::dvec3 direction, double verticalFov, double n
     return view;
 }
 
+View parallelEye(glm::dvec3 position, glm::dvec3 direction, double halfHeight, double nearPlane, double farPlane) {
+    View view;
+    view.worldFromView = lookAlong(position, direction);
+    view.nearPlane = nearPlane;
+    view.farPlane = farPlane;
+    view.orthographic = true;
+    view.clipFromView = glm::dmat4(1.0);
+    view.clipFromView[0][0] = 1.0 / halfHeight;
+    view.clipFromView[1][1] = -1.0 / halfHeight;
+    view.clipFromView[2][2] = 1.0 / (farPlane - nearPlane);
+    view.clipFromView[3][2] = farPlane / (farPlane - nearPlane);
+    return view;
+}
+
 Light plainLight() {
     Light light;
     light.name = "plain";
@@ -128,6 +142,20 @@ ReferenceScene randomScene(std::uint64_t seed, Mode mode) {
             const glm::dvec3 middle = place(2.0);
             scene.triangles.push_back({middle + place(0.7), middle + place(0.7), middle + place(0.7), i % 2 == 0});
         }
+    return scene;
+}
+
+ReferenceScene scatteringScene(std::uint64_t seed, Mode mode) {
+    ReferenceScene scene = randomScene(seed, mode);
+    Random random(seed + 7919);
+    if (seed % 3 == 0)
+        scene.view = parallelEye(glm::dvec3(scene.view.worldFromView[3]), -glm::dvec3(scene.view.worldFromView[2]),
+                                 uniform(random, 0.8, 3.0));
+    for (ReferenceLight& light : scene.lights) {
+        light.light.density = uniform(random, 0.02, 0.6);
+        light.light.anisotropy = uniform(random, -0.95, 0.95);
+        if (random() % 3 != 0) light.light.albedo = uniform(random, 0.1, 1.0);
+    }
     return scene;
 }
 

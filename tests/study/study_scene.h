@@ -13,6 +13,10 @@ namespace tyndall::test {
 View eye(glm::dvec3 position, glm::dvec3 direction, double verticalFov = 0.8, double nearPlane = 0.1,
          double farPlane = 100.0);
 
+/// Parallel rays instead, over `halfHeight` metres to either side.
+View parallelEye(glm::dvec3 position, glm::dvec3 direction, double halfHeight, double nearPlane = 0.1,
+                 double farPlane = 100.0);
+
 /// White lamp at the world's origin that looks along -Z: 90 by 60 degrees, from 0.5 m to 4 m, without any mask.
 Light plainLight();
 
@@ -37,5 +41,9 @@ glm::dvec3 direction(Random& random);
 
 /// Up to three lights with random terms, random panes between them, an eye somewhere near, 9 x 7 pixels.
 study::ReferenceScene randomScene(std::uint64_t seed, study::Mode mode);
+
+/// The same in thicker air, of g up to 0.95 either way and, in two lights of three, an albedo; rays of every third
+/// scene are parallel.
+study::ReferenceScene scatteringScene(std::uint64_t seed, study::Mode mode);
 
 }  // namespace tyndall::test

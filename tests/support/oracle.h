@@ -26,7 +26,7 @@ struct Eye {
 
 /// Everything that one light's picture depends on.
 struct Shot {
-    Light light;  ///< `cookie`, `shadow` and `noise` say which terms there are
+    Light light;  ///< `cookie`, `shadow`, `noise`, `anisotropy` and `albedo` say which terms there are
     Eye eye;
     int width = 128, height = 128;
     int slices = 16;

@@ -117,6 +117,60 @@ Interval attenuation(const Shot& shot, const LightPoint& point) {
            constant(shot.article ? 0.25 : shot.light.ambient);
 }
 
+bool scatters(const Light& light) {
+    return light.anisotropy != 0.0 || light.albedo.has_value();
+}
+
+// What a particle sends to the eye of what it would send if it scattered evenly in clear air. The exact value comes
+// from the law of cosines in the triangle of lamp, particle and eye, and the interval from what the shader's own way
+// to it, by unit vectors, may lose of each step; e = 2^-24.
+Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
+    const Shot& shot = context.shot;
+    const double g = shot.article ? 0.0 : shot.light.anisotropy;
+    const double extinction = !shot.article && shot.light.albedo ? shot.light.density / *shot.light.albedo : 0.0;
+    const glm::dvec3 lamp(glm::inverse(context.lightFromView)[3]);
+    const double fromLamp = glm::distance(viewPoint, lamp), lampToEye = glm::length(lamp);
+    const double toEye = shot.eye.orthographic ? -viewPoint.z : glm::length(viewPoint);
+    // 1 - cos and 1 + cos of the angle by which light turns. Parallel rays meet the eye's axis, and the lamp's light
+    // goes back along it as far as its view depth is ahead of the particle's.
+    double minus, plus;
+    if (shot.eye.orthographic) {
+        const double back = viewPoint.z - lamp.z;
+        minus = (fromLamp - back) / fromLamp;
+        plus = (fromLamp + back) / fromLamp;
+    } else {
+        const double twice = 2.0 * fromLamp * toEye;
+        minus = ((fromLamp + toEye) * (fromLamp + toEye) - lampToEye * lampToEye) / twice;
+        plus = (lampToEye * lampToEye - (fromLamp - toEye) * (fromLamp - toEye)) / twice;
+    }
+    const double turned = std::clamp(g < 0.0 ? plus : minus, 0.0, 2.0);
+
+    // The interpolated position is off by the attribute's error; the difference from the eye by that, the eye's own
+    // rounding and its own. A unit vector adds a dot product (4 e, halved by the root), the root (4 e) and a product;
+    // their difference e of up to 2.
+    const double e = kFloatEps, error = context.attributeError * std::sqrt(3.0);
+    const double eyeError = shot.eye.orthographic ? 0.0 : error + 2.0 * e * (lampToEye + fromLamp);
+    const double chord = std::sqrt(2.0 * turned);
+    const double chordError =
+        error / fromLamp + (shot.eye.orthographic ? 2.0 * e : eyeError / toEye) + 2.0 * 8.0 * e + 2.0 * e;
+    const double strength = std::abs(g), narrow = 1.0 - strength;
+    const auto baseAt = [&](double c) { return narrow * narrow + strength * c * c; };
+    // 2 e for 1 - |g|, a product each, e for |g|, 4 e for the dot product, a sum: 8 e of a sum of positive terms.
+    const Interval base = rounded({baseAt(std::max(0.0, chord - chordError)), baseAt(chord + chordError)}, 8.0);
+    const Interval phase = constant(narrow) / base * (rounded(exactly(1.0 + strength), 2.0) / squareRoot(base));
+
+    // Parallel rays: a dot product and a difference of lengths as long as the lamp's depth and its way.
+    const double wayError =
+        error + 8.0 * e * fromLamp +
+        (shot.eye.orthographic ? error + 8.0 * e * (std::abs(lamp.z) + fromLamp) : eyeError + 8.0 * e * toEye);
+    const Interval way = rounded(around(fromLamp + toEye, wayError));
+    const Interval argument = constant(extinction) * way;
+    // exp may be off by 3 + 2 |x| ulp (Vulkan, "Precision and Operation of SPIR-V Instructions").
+    const Interval left =
+        rounded({std::exp(-argument.hi), std::exp(-std::max(argument.lo, 0.0))}, 6.0 + 4.0 * argument.hi);
+    return phase * left;
+}
+
 // Metres of ray in the slab: its thickness times the ray's length for one metre of depth.
 Interval slabLength(const FragmentContext& context, glm::dvec3 perMetre, double depth) {
     const Shot& shot = context.shot;
@@ -210,7 +264,8 @@ Masks masks(const FragmentContext& context, int x, int y, double depth) {
     const Shot& shot = context.shot;
     const Ray ray = pixelRay(shot, x + 0.5, y + 0.5);
     const LightPoint point = project(context, ray.origin + ray.perMetre * depth);
-    Masks masks{kOne, kOne, {kOne, kOne, kOne}};
+    Masks masks{kOne, kOne, kOne, {kOne, kOne, kOne}};
+    if (scatters(shot.light)) masks.scattering = scattered(context, ray.origin + ray.perMetre * depth);
     if (shot.light.noise) masks.noise = dust(context, point) / evenDust(shot);
     if (shot.light.shadow) masks.shadow = lightThrough(context, point);
     if (shot.light.cookie)
@@ -224,6 +279,7 @@ std::array<Interval, 4> radiance(const FragmentContext& context, int x, int y, d
     const LightPoint point = project(context, ray.origin + ray.perMetre * depth);
 
     Interval intensity = dust(context, point) * attenuation(shot, point) * slabLength(context, ray.perMetre, depth);
+    if (scatters(shot.light)) intensity = intensity * scattered(context, ray.origin + ray.perMetre * depth);
     if (shot.light.shadow) intensity = intensity * lightThrough(context, point);
 
     const double scatter = shot.article ? 1.0 : shot.light.density / (4.0 * std::numbers::pi);

@@ -30,7 +30,7 @@ Seen coverage(const FragmentContext& context, int x, int y, double depth);
 /// What the terms of the shot leave of the light at one point: 1 where the shot lacks the term. Noise is
 /// relative to the air of a shot without it.
 struct Masks {
-    Interval noise, shadow;
+    Interval noise, shadow, scattering;
     std::array<Interval, 3> cookie;
 };
 Masks masks(const FragmentContext& context, int x, int y, double depth);

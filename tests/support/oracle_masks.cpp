@@ -16,6 +16,8 @@ Interval maskOf(const Masks& masks, Term term, int channel) {
             return masks.shadow;
         case Term::Cookie:
             return masks.cookie[channel];
+        case Term::Scattering:
+            return masks.scattering;
     }
     throw std::logic_error("no such term");
 }
@@ -33,6 +35,10 @@ Shot without(Shot shot, Term term) {
     if (term == Term::Noise) shot.light.noise.reset();
     if (term == Term::Shadow) shot.light.shadow = false;
     if (term == Term::Cookie) shot.light.cookie = false;
+    if (term == Term::Scattering) {
+        shot.light.anisotropy = 0.0;
+        shot.light.albedo.reset();
+    }
     return shot;
 }
 

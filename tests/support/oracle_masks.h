@@ -2,6 +2,8 @@
 // picture without it, has to be.
 #pragma once
 
+#include <tyndall/terms.h>
+
 #include <optional>
 
 #include "oracle.h"

@@ -25,6 +25,8 @@ Light lamp() {
     light.intensity = 40.0;
     light.density = 0.06;
     light.ambient = 0.7;
+    light.anisotropy = 0.6;
+    light.albedo = 0.5;
     light.cookie = true;
     light.shadow = true;
     Noise noise;
@@ -143,6 +145,10 @@ Shot withTerms(Shot shot, TermSet terms) {
     if (!terms.contains(Term::Noise)) shot.light.noise.reset();
     shot.light.shadow = terms.contains(Term::Shadow);
     shot.light.cookie = terms.contains(Term::Cookie);
+    if (!terms.contains(Term::Scattering)) {
+        shot.light.anisotropy = 0.0;
+        shot.light.albedo.reset();
+    }
     return shot;
 }
 

@@ -2,6 +2,8 @@
 // where it is easy, and from where it is hard.
 #pragma once
 
+#include <tyndall/terms.h>
+
 #include <string>
 #include <vector>
 

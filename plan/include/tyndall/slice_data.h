@@ -30,6 +30,8 @@ struct SliceConstants {
     glm::vec4 colour;
     glm::vec4 weight;
     glm::vec4 shadow;
+    glm::vec4 scattering;
+    glm::vec4 eye;
 };
 
 }  // namespace tyndall

@@ -16,12 +16,13 @@ struct Light;
 
 /// In the order of ps_main's switches.
 enum class Term : std::uint8_t {
-    Noise,   ///< dust: two noise maps that drift over each other
-    Shadow,  ///< occluders, by the light's shadow map
-    Cookie,  ///< the projected texture
+    Noise,       ///< dust: two noise maps that drift over each other
+    Shadow,      ///< occluders, by the light's shadow map
+    Cookie,      ///< the projected texture
+    Scattering,  ///< the air's phase function and extinction
 };
 
-inline constexpr std::array allTerms{Term::Noise, Term::Shadow, Term::Cookie};
+inline constexpr std::array allTerms{Term::Noise, Term::Shadow, Term::Cookie, Term::Scattering};
 
 /// "noise": as sentences name it.
 std::string_view nameOf(Term term);

@@ -87,6 +87,12 @@ Result<void> checkLight(const Light& light, std::size_t index, const PlanOptions
     if (!(light.farPlane > light.nearPlane))
         return broken(place.text() + ": farPlane is " + text(light.farPlane) + ": it must be beyond nearPlane, " +
                       text(light.nearPlane) + "; raise farPlane or lower nearPlane");
+    if (!(std::abs(light.anisotropy) < 1.0))
+        return broken(place.text() + ": anisotropy is " + text(light.anisotropy) +
+                      ": it must lie between -1 and 1, both excluded; 0 scatters evenly, 0.6 suits mist");
+    if (light.albedo && !(*light.albedo > 0.0 && *light.albedo <= 1.0))
+        return broken(place.text() + ": albedo is " + text(*light.albedo) +
+                      ": it must be over 0 and at most 1; leave it out for air without extinction");
     if (light.noise)
         if (const Result<void> checked = checkNoise(place, *light.noise); !checked) return checked;
     return checkClipPlanes(place, light, options);

@@ -1,24 +1,28 @@
 #include "needs/needed_terms.h"
 
+#include "needs/scattering.h"
+
 namespace tyndall {
 namespace {
 
 // The factor's bounds over what is seen; 1 for a light that does not ask for the term.
-FactorRange rangeOf(Term term, const Light& light, const SeenAir& air, const LightSurvey& survey) {
+FactorRange rangeOf(Term term, const Light& light, const View& view, const SeenLight& seen, const LightSurvey& survey) {
     switch (term) {
         case Term::Noise:
             return noiseRange(light, survey.noise);
         case Term::Shadow:
             break;  // from 0 to 1 whatever it meets: nothing is gained by knowing
         case Term::Cookie:
-            return cookieRange(light, air, survey.cookie);
+            return cookieRange(light, seen.air, survey.cookie);
+        case Term::Scattering:
+            return scatteringRange(light, view, seen.pose, seen.air);
     }
     return {};
 }
 
 // The verdict on a light whose term is 0 wherever it is seen.
 Verdict darknessOf(Term term) {
-    return term == Term::Noise ? Verdict::NoDust : Verdict::DarkCookie;
+    return term == Term::Noise ? Verdict::NoDust : term == Term::Cookie ? Verdict::DarkCookie : Verdict::Absorbed;
 }
 
 bool uniform(const FactorRange& range) {
@@ -28,7 +32,8 @@ bool uniform(const FactorRange& range) {
 }  // namespace
 
 PerTerm<TermVerdict> askedTerms(const Light& light, const PlanOptions& options) {
-    const TermSet asked = termsOf(light);
+    // The published picture scatters evenly in clear air.
+    const TermSet asked = options.look == Look::Article ? termsOf(light).without(Term::Scattering) : termsOf(light);
     PerTerm<TermVerdict> verdicts;
     for (const Term term : allTerms) {
         TermVerdict& verdict = verdicts[term];
@@ -48,7 +53,7 @@ NeededTerms neededTerms(const PlanContext& context, const Light& light, const Li
     NeededTerms needed;
     needed.verdicts = asked;
     if (seen.air.any && physical)
-        for (const Term term : allTerms) needed.ranges[term] = rangeOf(term, light, seen.air, survey);
+        for (const Term term : allTerms) needed.ranges[term] = rangeOf(term, light, context.view, seen, survey);
     if (chosen && physical) {
         for (const Term term : allTerms)
             if (needed.ranges[term].largest() == 0.0) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "needs/scattering.h"
+
 namespace tyndall {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr PerTerm<TermRow> rows{{{
     {"noise", &slices::ps_main_key::bScrollingNoise},
     {"shadow", &slices::ps_main_key::bShadowMapping},
     {"cookie", &slices::ps_main_key::bCookie},
+    {"scattering", &slices::ps_main_key::bScattering},
 }}};
 
 constexpr slices::ps_main_key keyOf(TermSet terms) {
@@ -48,13 +51,18 @@ TermSet termsOf(const Light& light) {
     return TermSet()
         .with(Term::Noise, light.noise.has_value())
         .with(Term::Shadow, light.shadow)
-        .with(Term::Cookie, light.cookie);
+        .with(Term::Cookie, light.cookie)
+        .with(Term::Scattering, scatters(light));
 }
 
 Light keepOnly(Light light, TermSet terms) {
     if (!terms.contains(Term::Noise)) light.noise.reset();
     light.shadow = light.shadow && terms.contains(Term::Shadow);
     light.cookie = light.cookie && terms.contains(Term::Cookie);
+    if (!terms.contains(Term::Scattering)) {
+        light.anisotropy = 0.0;
+        light.albedo.reset();
+    }
     return light;
 }
 

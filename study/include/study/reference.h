@@ -1,8 +1,14 @@
 // The truth that pictures are measured against: the radiance of the light shafts at each pixel's centre,
 //
-//   L = density / (4 pi) * integral over the ray of noise * cookie * shadow * (I / d^2 + ambient) dt,
+//   L = density / (4 pi) * integral over the ray of
+//       noise * cookie * shadow * phase * transmittance * (I / d^2 + ambient) dt,
 //
-// in double precision, without slices. It shares no code with the renderer: of runtime/ it knows the plain
+//   phase = (1 - g^2) / (1 + g^2 - 2 g cos)^(3/2), cos = dot(lamp to particle, particle to eye),
+//   transmittance = exp(-extinction * (distance lamp to particle + distance particle to eye)),
+//
+// in double precision, without slices. g is Light::anisotropy; extinction is density / Light::albedo, or 0 without
+// an albedo, and is that of evenly filled air: noise does not change it. Of parallel rays the way to the eye begins
+// at depth 0. It shares no code with the renderer: of runtime/ it knows the plain
 // structs Light and View alone.
 #pragma once
 

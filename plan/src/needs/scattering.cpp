@@ -1,0 +1,80 @@
+#include "needs/scattering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <span>
+
+namespace tyndall {
+namespace {
+
+// Henyey and Greenstein's phase function times 4 pi, of the angle by which light turns: it only falls, or only rises.
+double phase(double g, double angle) {
+    const double strength = std::abs(g), narrow = 1.0 - strength;
+    const double half = std::sin(0.5 * (g < 0.0 ? glm::pi<double>() - angle : angle));
+    const double base = narrow * narrow + 4.0 * strength * half * half;
+    return narrow / base * ((1.0 + strength) / std::sqrt(base));
+}
+
+struct Cone {
+    glm::dvec3 axis{0.0, 0.0, 1.0};
+    double halfAngle = glm::pi<double>();  // of a cone of all directions
+};
+
+double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+// Holds all directions between these. Only a cone narrower than a half space is convex.
+Cone coneAround(std::span<const glm::dvec3> directions) {
+    constexpr double rounding = 1e-7;
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& direction : directions) {
+        const double length = glm::length(direction);
+        if (!(length > 0.0)) return {};
+        sum += direction / length;
+    }
+    if (!(glm::length(sum) > 0.0)) return {};
+    Cone cone{glm::normalize(sum), 0.0};
+    for (const glm::dvec3& direction : directions)
+        cone.halfAngle = std::max(cone.halfAngle, angleBetween(cone.axis, direction) + rounding);
+    return cone.halfAngle < 0.49 * glm::pi<double>() ? cone : Cone{};
+}
+
+}  // namespace
+
+bool scatters(const Light& light) {
+    return light.anisotropy != 0.0 || light.albedo.has_value();
+}
+
+FactorRange scatteringRange(const Light& light, const View& view, const LightPose& pose, const SeenAir& air) {
+    if (!scatters(light)) return {};
+    const glm::dvec3 eye(pose.lightFromView[3]), lamp(pose.viewFromLight[3]);
+    std::array<glm::dvec3, 8> corners, toEye;
+    double nearest = air.axisNear, farthest = 0.0, longest = 0.0;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const glm::dvec2 slope((i & 1) ? air.slideMax.x : air.slideMin.x, (i & 2) ? air.slideMax.y : air.slideMin.y);
+        corners[i] = glm::dvec3(slope, -1.0) * ((i & 4) ? air.axisFar : air.axisNear);
+        toEye[i] = view.orthographic ? glm::dvec3(pose.lightFromView[2]) : eye - corners[i];
+        farthest = std::max(farthest, glm::length(corners[i]));
+        longest = std::max(longest, glm::length(toEye[i]));
+    }
+    // No way from lamp to eye is shorter than the straight one. Parallel rays end at depth 0.
+    const double shortestWay = view.orthographic ? std::max(nearest + air.nearDepth, -lamp.z)
+                                                 : std::max(nearest + air.nearDepth, glm::length(eye));
+    const double longestWay = farthest + (view.orthographic ? air.farDepth : longest);
+    const double extinction = light.albedo ? light.density / *light.albedo : 0.0;
+
+    const Cone fromLamp = coneAround(corners), back = coneAround(toEye);
+    const double between = angleBetween(fromLamp.axis, back.axis), spread = fromLamp.halfAngle + back.halfAngle;
+    const double sharpest = std::max(between - spread, 0.0), widest = std::min(between + spread, glm::pi<double>());
+    const auto [low, high] = std::minmax(phase(light.anisotropy, sharpest), phase(light.anisotropy, widest));
+    return {glm::dvec3(low * std::exp(-extinction * longestWay)),
+            glm::dvec3(high * std::exp(-extinction * shortestWay))};
+}
+
+double phasePeak(const Light& light) {
+    return std::max(1.0, phase(light.anisotropy, light.anisotropy < 0.0 ? glm::pi<double>() : 0.0));
+}
+
+}  // namespace tyndall
