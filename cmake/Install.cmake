@@ -4,11 +4,13 @@ include(CMakePackageConfigHelpers)
 
 set_target_properties(permgen_tables PROPERTIES EXPORT_NAME tables)
 set_target_properties(permgen_manifest PROPERTIES EXPORT_NAME manifest)
+set_target_properties(tyndall_plan PROPERTIES EXPORT_NAME plan)
 set_target_properties(tyndall_runtime PROPERTIES EXPORT_NAME runtime)
 
 install(TARGETS permgen permgen_tables permgen_manifest EXPORT permgenTargets)
-install(TARGETS tyndall_runtime EXPORT tyndallTargets)
+install(TARGETS tyndall_plan tyndall_runtime EXPORT tyndallTargets)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/permgen/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/plan/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 # The runtime's own effects, for whoever compiles builds of them to give to a DeviceContext.
 foreach(shader IN ITEMS slices.fx composite.fx shadow_map.fx shadow.fxh)

@@ -26,7 +26,8 @@ glm::dmat4 perspective(const JsonValue& value) {
     const double near = value.at("near").number(1e-6, 1e9);
     const double far = value.at("far").number(0.0, 1e12);
     if (!(far > near)) value.fail("\"far\" is beyond \"near\"");
-    const double scale = 1.0 / std::tan(0.5 * fov);
+    const double halfFov = 0.5 * fov;
+    const double scale = 1.0 / std::tan(halfFov);
     glm::dmat4 m(0.0);
     m[0][0] = scale / aspect;
     m[1][1] = -scale;

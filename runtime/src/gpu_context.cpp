@@ -1,5 +1,7 @@
 #include "gpu_context.h"
 
+#include <tyndall/vulkan_result.h>
+
 namespace tyndall {
 Result<Gpu> inspect(const DeviceContext& context) {
     if (!context.physicalDevice || !context.device)
@@ -41,15 +43,15 @@ Result<Gpu> inspect(const DeviceContext& context) {
 }
 
 tl::unexpected<Error> vulkanError(const char* call, VkResult result) {
-    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + resultName(result), result});
+    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + resultName(result), call, result});
 }
 
 tl::unexpected<Error> invalidArgument(std::string message) {
-    return tl::unexpected(Error{ErrorCode::InvalidArgument, std::move(message), VK_SUCCESS});
+    return tl::unexpected(Error{ErrorCode::InvalidArgument, std::move(message)});
 }
 
 tl::unexpected<Error> unsupported(std::string message) {
-    return tl::unexpected(Error{ErrorCode::UnsupportedDevice, std::move(message), VK_SUCCESS});
+    return tl::unexpected(Error{ErrorCode::UnsupportedDevice, std::move(message)});
 }
 
 std::string formatName(VkFormat format) {

@@ -1,6 +1,7 @@
 // Draws what a light sees, depth only.
-#include "shadow_map.h"
+#include <tyndall/renderer.h>
 
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -33,7 +34,19 @@ Result<void> checkShadowMap(const Light& light, std::span<const Occluder> occlud
     return {};
 }
 
+/// Handles that cannot be dispatched are pointers on some platforms and integers on others.
+std::uint64_t number(VkBuffer buffer) {
+    return std::bit_cast<std::uint64_t>(buffer);
+}
+
 }  // namespace
+
+ShadowCaster shadowCaster(const Occluder& occluder) {
+    if (occluder.indexCount == 0) return {occluder.worldFromMesh, {}};
+    return {occluder.worldFromMesh,
+            {number(occluder.vertices), occluder.vertexOffset, occluder.vertexStride, number(occluder.indices),
+             occluder.indexOffset, occluder.indexCount}};
+}
 
 Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& frame, const Light& light,
                                        std::span<const Occluder> occluders, VkImageView map, VkFormat format,
@@ -52,11 +65,11 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
     beginRendering(commands, {size, size}, nullptr, &depth);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
 
-    const glm::dmat4 clipFromWorld = shadowClipFromWorld(light);
+    const glm::dmat4 clipFromWorld = lightClipFromWorld(light);
     Result<void> drawn;
     for (const Occluder& occluder : occluders) {
         if (occluder.indexCount == 0) continue;
-        const glm::mat4 clipFromMesh(shadowClipFromMesh(clipFromWorld, occluder));
+        const glm::mat4 clipFromMesh(clipFromWorld * occluder.worldFromMesh);
         const auto constants = placeValue(**data, clipFromMesh, counters);
         const auto pushed = constants.and_then([&](const FrameRange& range) {
             const NamedBuffer block{globalsBlock, {range.buffer, range.offset, sizeof clipFromMesh}};

@@ -3,7 +3,7 @@
 #include <headless/commands.h>
 
 #include "../bench/city_frame.h"
-#include "allocations.h"
+#include "../plan/allocations.h"
 
 namespace tyndall::test {
 namespace {

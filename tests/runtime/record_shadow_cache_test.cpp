@@ -3,7 +3,11 @@
 #include <headless/buffer.h>
 #include <tyndall/shadow_cache.h>
 
+#include <algorithm>
+#include <bit>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iterator>
 #include <random>
 
 #include "record_scene.h"
@@ -72,7 +76,7 @@ TEST_F(RecordShadowCache, OccludersLeftOutLeaveNoMark) {
         light.worldFromLight = glm::rotate(glm::translate(glm::dmat4(1.0), round % 3 == 0 ? vector(1e6) : vector(1.0)),
                                            3.0 * unit(random), vector(1.0));
         const Occluder occluder = placed(light.worldFromLight * lightFromMesh);
-        if (mayShade(light, occluder, bounds)) {
+        if (mayShade(light, occluder.worldFromMesh, bounds)) {
             ++drawn;
             continue;
         }
@@ -81,6 +85,24 @@ TEST_F(RecordShadowCache, OccludersLeftOutLeaveNoMark) {
     }
     EXPECT_GT(left, 50);
     EXPECT_GT(drawn, 50);
+}
+
+TEST_F(RecordShadowCache, EverythingThatIsDrawnTellsCastersApart) {
+    const auto numbered = [](std::uint64_t number) { return std::bit_cast<VkBuffer>(number); };
+    const Occluder occluder{numbered(7), 64, 32, numbered(8), 128, 300, glm::dmat4(1.0)};
+    const std::vector<std::function<void(Occluder&)>> changes = {
+        [&](Occluder& o) { o.vertices = numbered(9); }, [](Occluder& o) { o.vertexOffset += 4; },
+        [](Occluder& o) { o.vertexStride += 4; },       [&](Occluder& o) { o.indices = numbered(7); },
+        [](Occluder& o) { o.indexOffset += 4; },        [](Occluder& o) { o.indexCount -= 3; }};
+    for (std::size_t change = 0; change < changes.size(); ++change) {
+        Occluder other = occluder;
+        changes[change](other);
+        EXPECT_NE(shadowCaster(other).geometry, shadowCaster(occluder).geometry) << "change " << change;
+        EXPECT_EQ(shadowCaster(other).worldFromMesh, occluder.worldFromMesh);
+    }
+    Occluder nothing = occluder;
+    nothing.indexCount = 0;
+    EXPECT_EQ(shadowCaster(nothing).geometry, ShadowCaster{}.geometry);
 }
 
 TEST_F(RecordShadowCache, AMapIsDrawnOncePerMove) {
@@ -96,11 +118,13 @@ TEST_F(RecordShadowCache, AMapIsDrawnOncePerMove) {
         const double x = frame < 50 ? -20.0 : std::min(frame - 70.0, 20.0);
         std::vector<Occluder> occluders;
         for (const Occluder& each : {standing, placed(glm::translate(glm::dmat4(1.0), {x, 0.0, -5.0}))})
-            if (mayShade(light, each, bounds)) occluders.push_back(each);
+            if (mayShade(light, each.worldFromMesh, bounds)) occluders.push_back(each);
         within += occluders.size() == 2;
-        if (cache.stale(0, light, occluders, side)) {
+        std::vector<ShadowCaster> casters;
+        std::ranges::transform(occluders, std::back_inserter(casters), shadowCaster);
+        if (cache.stale(0, light, casters, side)) {
             kept = draw(occluders);
-            cache.drawn(0, light, occluders, side);
+            cache.drawn(0, light, casters, side);
         }
         if (frame % 25 == 0 || occluders.size() == 2) {
             const std::uint64_t counted = gpu().frozen.counters().shadowMapsDrawn;

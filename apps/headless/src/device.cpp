@@ -1,4 +1,5 @@
 #include <headless/device.h>
+#include <tyndall/vulkan_result.h>
 
 #include <string>
 
@@ -51,7 +52,7 @@ Result<void> createDevice(DeviceCore& core, const DeviceOptions& options) {
 }  // namespace
 
 tl::unexpected<Error> vulkanError(const char* call, VkResult result) {
-    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + tyndall::resultName(result), result});
+    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + tyndall::resultName(result), call, result});
 }
 
 DeviceCore::~DeviceCore() {

@@ -10,14 +10,12 @@ namespace {
 constexpr int columns = 32, rows = 18, steps = 256;
 constexpr double smallest = 1e-9;
 
-/// Farthest that any light reaches from the eye, for rays that no surface stops.
-double reach(std::span<const Light> lights, const View& view) {
+/// Metres from the eye to the farthest air that any light fills and the view can show.
+double farthestLit(std::span<const Light> lights, const View& view) {
     double farthest = view.nearPlane * 2.0;
     for (const Light& light : lights) {
         const double lamp = glm::length(glm::dvec3(light.worldFromLight[3] - view.worldFromView[3]));
-        const double corner =
-            light.farPlane * glm::length(glm::dvec3(std::tan(light.fov.x / 2.0), std::tan(light.fov.y / 2.0), 1.0));
-        farthest = std::max(farthest, lamp + corner);
+        farthest = std::max(farthest, lamp + maxDistance(light));
     }
     return std::min({farthest, view.farPlane, std::max(view.sceneDepth, view.nearPlane * 2.0)});
 }
@@ -25,9 +23,9 @@ double reach(std::span<const Light> lights, const View& view) {
 double scattered(const Light& light, const glm::dmat4& lightFromWorld, const glm::dvec3& world, Look look) {
     const glm::dvec3 p(lightFromWorld * glm::dvec4(world, 1.0));
     const double axis = -p.z;
-    if (axis < light.nearPlane || axis > light.farPlane || std::abs(p.x) > axis * std::tan(light.fov.x / 2.0) ||
-        std::abs(p.y) > axis * std::tan(light.fov.y / 2.0))
-        return 0.0;
+    if (axis < light.nearPlane || axis > light.farPlane) return 0.0;
+    const glm::dvec2 half = axis * tanHalfFov(light);
+    if (std::abs(p.x) > half.x || std::abs(p.y) > half.y) return 0.0;
     for (const glm::dvec4& plane : light.clipPlanes)
         if (glm::dot(plane, glm::dvec4(world, 1.0)) < 0.0) return 0.0;
     const double brightest = std::max({light.colour.r, light.colour.g, light.colour.b});
@@ -43,7 +41,7 @@ double scattered(const Light& light, const glm::dmat4& lightFromWorld, const glm
 double automaticRange(std::span<const Light> lights, const View& view, const ShaftOptions& options) {
     std::vector<glm::dmat4> lightFromWorld;
     for (const Light& light : lights) lightFromWorld.push_back(glm::inverse(light.worldFromLight));
-    const double farthest = reach(lights, view);
+    const double farthest = farthestLit(lights, view);
     const glm::dmat4 viewFromClip = glm::inverse(view.clipFromView);
     // The article adds a constant for each of its slices, however thick: 9/f times a flat noise of 0.015.
     const double perStep =

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 #include <tyndall/pipeline_cache.h>
+#include <tyndall/vulkan_result.h>
 #include <vulkan/vulkan.h>
 
 #include <cstdlib>

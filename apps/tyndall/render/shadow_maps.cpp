@@ -46,17 +46,23 @@ Outcome<double> ShadowMaps::draw(const headless::Device& device, Renderer& rende
     struct Stale {
         std::size_t light, slot;
         std::vector<Occluder> occluders;
+        std::vector<ShadowCaster> casters;
     };
     std::vector<Stale> stale;
     std::vector<Occluder> occluders;
+    std::vector<ShadowCaster> casters;
     for (const std::size_t light : lights) {
         const auto slot = slotFor(device, light, size);
         if (!slot) return tl::unexpected(slot.error());
         slots_[*slot].frame = frame_;
         occluders.clear();
-        for (const std::size_t instance : viewed.instancesInLight[light])
+        casters.clear();
+        for (const std::size_t instance : viewed.instancesInLight[light]) {
             occluders.push_back(occluderOf(gpu, viewed.scene, instance));
-        if (cache_.stale(light, viewed.lights[light], occluders, size)) stale.push_back({light, *slot, occluders});
+            casters.push_back(shadowCaster(occluders.back()));
+        }
+        if (cache_.stale(light, viewed.lights[light], casters, size))
+            stale.push_back({light, *slot, occluders, casters});
     }
     if (stale.empty()) return 0.0;
     // What earlier maps were drawn with is not needed any more; an empty plan makes the memory free.
@@ -74,7 +80,7 @@ Outcome<double> ShadowMaps::draw(const headless::Device& device, Renderer& rende
         return {};
     });
     if (!time) return fail("the shadow maps: {}", time.error().message);
-    for (const Stale& map : stale) cache_.drawn(map.light, viewed.lights[map.light], map.occluders, size);
+    for (const Stale& map : stale) cache_.drawn(map.light, viewed.lights[map.light], map.casters, size);
     return *time;
 }
 

@@ -73,13 +73,11 @@ void setLight(Uniforms& uniforms, const Light& light, std::span<const glm::dvec4
     uniforms.set("gIntensity", glm::dvec4(light.colour * light.intensity,
                                           light.intensity > 0.0 ? light.ambient / light.intensity : 0.0));
     uniforms.set("gRange", glm::dvec4(light.nearPlane, light.farPlane, 0.0, 0.0));
-    const glm::dvec2 reach = glm::tan(0.5 * light.fov);
-    uniforms.set("gCookieScale", glm::dvec4(0.5 / reach, 0.0, 0.0));
-    const double span =
-        light.farPlane - light.nearPlane;  // lightClipFromLight(): depth = (near far / axis - near) / span
-    uniforms.set("gShadow",
-                 glm::dvec4(-light.nearPlane / span, light.nearPlane * light.farPlane / span, shadowSize, 0.0));
-    uniforms.set("gTexel", glm::dvec4(2.0 * reach / static_cast<double>(shadowSize), 0.0, 0.0));
+    const glm::dvec2 slope = tanHalfFov(light);
+    uniforms.set("gCookieScale", glm::dvec4(0.5 / slope, 0.0, 0.0));
+    const ShadowDepth depth = shadowDepth(light);
+    uniforms.set("gShadow", glm::dvec4(depth.constant, depth.overAxis, shadowSize, 0.0));
+    uniforms.set("gTexel", glm::dvec4(2.0 * slope / static_cast<double>(shadowSize), 0.0, 0.0));
 }
 
 /// What turns normals as the matrix turns surfaces, up to length and sign, brought near unit length. The

@@ -33,14 +33,14 @@ Image bakeCone(double inner, double outer, const Image* given) {
     image.width = std::max(smallestSide, given != nullptr ? given->width : 0);
     image.height = std::max(smallestSide, given != nullptr ? given->height : 0);
     image.texels.resize(std::size_t{image.width} * image.height);
-    const double reach = std::tan(outer);
+    const double slope = std::tan(outer);
     const Falloff falloff(inner, outer);
     for (std::uint32_t row = 0; row < image.height; ++row)
         for (std::uint32_t column = 0; column < image.width; ++column) {
             double sum = 0.0;
             for (int s = 0; s < samples * samples; ++s) {
-                const double x = reach * (2.0 * (column + (s % samples + 0.5) / samples) / image.width - 1.0);
-                const double y = reach * (2.0 * (row + (s / samples + 0.5) / samples) / image.height - 1.0);
+                const double x = slope * (2.0 * (column + (s % samples + 0.5) / samples) / image.width - 1.0);
+                const double y = slope * (2.0 * (row + (s / samples + 0.5) / samples) / image.height - 1.0);
                 sum += falloff(1.0 / std::sqrt(1.0 + x * x + y * y));
             }
             const auto cone = static_cast<float>(sum / (samples * samples));

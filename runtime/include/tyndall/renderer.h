@@ -9,6 +9,7 @@
 #include <tyndall/parallel.h>
 #include <tyndall/plan.h>
 #include <tyndall/result.h>
+#include <tyndall/shadow_cache.h>
 #include <vulkan/vulkan_core.h>
 
 #include <memory>
@@ -54,6 +55,10 @@ struct Occluder {
     std::uint32_t indexCount = 0;
     glm::dmat4 worldFromMesh{1.0};
 };
+
+/// The occluder as a ShadowCache takes it: by its buffers' handles and places in them. Where buffers' contents change,
+/// or where a new buffer may have the handle of a destroyed one, invalidate() the cache.
+ShadowCaster shadowCaster(const Occluder& occluder);
 
 /// What will be recorded, as far as pipelines depend on it.
 struct PipelineNeeds {

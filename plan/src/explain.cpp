@@ -1,0 +1,158 @@
+#include <tyndall/explain.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "check/plan_check.h"
+#include "geometry/slice_polygon.h"
+
+namespace tyndall {
+namespace {
+
+// "noise", "noise and shadow", "noise, shadow and cookie"
+std::string listed(const std::vector<std::string>& words) {
+    std::string sentence;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) sentence += i + 1 == words.size() ? " and " : ", ";
+        sentence += words[i];
+    }
+    return sentence;
+}
+
+bool asked(TermVerdict verdict) {
+    return verdict != TermVerdict::NotAsked;
+}
+
+struct Term {
+    const char* name;
+    TermVerdict verdict;
+};
+
+std::array<Term, 3> termsOf(const PlannedLight& light) {
+    return {{{"noise", light.noiseVerdict}, {"shadow", light.shadowVerdict}, {"cookie", light.cookieVerdict}}};
+}
+
+// Metres with three digits, for reading.
+std::string metres(double length) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.3g m", length);
+    return digits;
+}
+
+std::string drawnReason(const PlannedLight& light) {
+    std::vector<std::string> wanted, spared;
+    bool forced = false;
+    for (const Term& term : termsOf(light)) {
+        forced = forced || term.verdict == TermVerdict::Forced || term.verdict == TermVerdict::Overruled;
+        (term.verdict == TermVerdict::Drawn || term.verdict == TermVerdict::Forced ? wanted : spared)
+            .push_back(term.name);
+    }
+    if (forced) return "The options ask for this technique, whatever the light calls for.";
+    if (wanted.empty()) return "The view calls for none of " + listed(spared) + ".";
+    if (spared.empty()) return "The view calls for " + listed(wanted) + ".";
+    return "The view calls for " + listed(wanted) + ", and not for " + listed(spared) + ".";
+}
+
+// Of a triangle in the square from -1 to 1.
+double triangleAreaWithin(const std::array<glm::dvec2, 3>& corners, std::span<const glm::dvec4> sides) {
+    SlicePolygon polygon;
+    for (const glm::dvec2& corner : corners) polygon.corners[polygon.count++] = corner;
+    if (area(polygon) < 0.0) std::swap(polygon.corners[1], polygon.corners[2]);  // Vulkan's clip space has y down
+    for (const glm::dvec4& side : sides) {
+        SlicePolygon inside, outside;
+        split(polygon, glm::dvec2(side), side.w, inside, outside);
+        polygon = inside;
+    }
+    return std::fabs(area(polygon));
+}
+
+}  // namespace
+
+std::string reason(const PlannedLight& light, const View& view) {
+    switch (light.verdict) {
+        case Verdict::Drawn:
+            return drawnReason(light);
+        case Verdict::Black:
+            return "Not drawn: its colour is black.";
+        case Verdict::NoDensity:
+            return "Not drawn: its air has the density 0 and scatters nothing.";
+        case Verdict::NoStrength:
+            return "Not drawn: its intensity and ambient are both 0.";
+        case Verdict::ClipPlanes:
+            return "Not drawn: its clip planes leave nothing of its volume.";
+        case Verdict::BehindEye:
+            return "Not drawn: its volume lies wholly behind the eye.";
+        case Verdict::BeforeNear:
+            return "Not drawn: its volume ends before the view's near plane at " + text(view.nearPlane) + " m.";
+        case Verdict::BeyondFar:
+            return "Not drawn: its volume begins beyond the view's far plane at " + text(view.farPlane) + " m.";
+        case Verdict::BehindScene:
+            return "Not drawn: its volume begins behind the farthest visible surface at " + text(view.sceneDepth) +
+                   " m.";
+        case Verdict::BesideView:
+            return "Not drawn: its volume misses the view's frustum sideways.";
+        case Verdict::BehindWalls:
+            return "Not drawn: what the view could show of its volume lies behind blockers that hold up all its light.";
+        case Verdict::BehindTiles:
+            return "Not drawn: surfaces hide all of its volume.";
+        case Verdict::DarkCookie:
+            return "Not drawn: its cookie is black wherever its volume is seen.";
+        case Verdict::NoDust:
+            return "Not drawn: its noise is 0 everywhere.";
+        case Verdict::TooFaint:
+            return "Not drawn: no pixel would get more than a radiance of " + text(light.brightest) +
+                   " from it, too little for the display to show.";
+    }
+    return {};
+}
+
+std::vector<std::string> savings(const PlannedLight& light) {
+    std::vector<std::string> sentences;
+    if (!light.drawn) return sentences;
+    if (light.shadowVerdict == TermVerdict::NoOccluder)
+        sentences.push_back("No shadow map: nothing stands between the lamp and the air that is seen.");
+    for (const Term& term : termsOf(light)) {
+        if (term.verdict == TermVerdict::Uniform)
+            sentences.push_back("No " + std::string(term.name) +
+                                ": it is the same all over what is seen; a factor takes its place.");
+        if (term.verdict == TermVerdict::Invisible)
+            sentences.push_back("No " + std::string(term.name) +
+                                ": it differs by less than the display shows; its mean takes its place.");
+        if (term.verdict == TermVerdict::Overruled && asked(term.verdict))
+            sentences.push_back("No " + std::string(term.name) + ": the options leave it out.");
+    }
+    if (light.walls > 0)
+        sentences.push_back("Ends at " + std::string(light.walls == 1 ? "a wall" : "walls") + " that hold" +
+                            (light.walls == 1 ? "s" : "") + " up all its light.");
+    const double whole = light.volumeFar - light.volumeNear;
+    const double seen = light.seenFar - light.seenNear;
+    if (seen > 0.0 && seen < 0.9 * whole)
+        sentences.push_back("Of its " + metres(whole) + " along the axis, " + metres(seen) + " are seen, from " +
+                            metres(light.seenNear) + " to " + metres(light.seenFar) + ".");
+    if (light.divided)
+        sentences.push_back("Shadow looked up only where occluders can throw one, the first of them " +
+                            metres(light.firstOccluder) + " from the lamp.");
+    return sentences;
+}
+
+double expectedFragments(const Plan& plan, const PlannedPart& part, const View& view, std::uint32_t width,
+                         std::uint32_t height) {
+    const SliceConstants& constants = plan.constants[part.constants];
+    const glm::dvec3 least(constants.boundsMin), extent = glm::dvec3(constants.boundsMax) - least;
+    const glm::dvec4 pictureSides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
+    double covered = 0.0;
+    for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
+        // Slices lie across the view's axis: in clip space divided by w they keep their shape.
+        std::array<glm::dvec2, 3> corners;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const glm::dvec3 position(plan.vertices[plan.indices[i + k]].position);
+            const glm::dvec4 clip = view.clipFromView * glm::dvec4(least + extent * position, 1.0);
+            corners[k] = glm::dvec2(clip) / clip.w;
+        }
+        covered += triangleAreaWithin(corners, pictureSides);
+    }
+    return 0.25 * covered * width * height;
+}
+
+}  // namespace tyndall

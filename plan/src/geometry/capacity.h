@@ -1,0 +1,23 @@
+// What happens where a container of fixed capacity would overflow. Every capacity here has a proof, so this is an error
+// of the library. It is never hidden: the stage throws, and Planner::plan() answers with an Error.
+#pragma once
+
+#include <cstddef>
+#include <source_location>
+#include <stdexcept>
+
+#include <tyndall/result.h>
+
+namespace tyndall {
+
+struct CapacityExceeded : std::length_error {
+    using std::length_error::length_error;
+};
+
+/// Throws CapacityExceeded. The message names the function that adds the entry, and the capacity.
+[[noreturn]] void throwCapacityExceeded(std::size_t capacity, const std::source_location& where);
+
+/// The answer for the caller of the library.
+Error internalError(const CapacityExceeded& exceeded);
+
+}  // namespace tyndall

@@ -1,0 +1,24 @@
+// The triangles that slices are drawn with.
+//
+// Slabs are numbered from the farthest to the nearest; a slice lies in its slab's middle. Routed, the slice of slab
+// number n goes to channel n mod 4.
+#pragma once
+
+#include <tyndall/plan.h>
+
+#include <vector>
+
+#include "plan_stages.h"
+
+namespace tyndall {
+
+/// Appends the light's exact polygons and its one or two parts: the air before the first occluder, where that pays for
+/// a draw of its own, and the rest. `scratch` is working memory.
+void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
+                    const PlanOptions& options, std::vector<std::uint32_t>& scratch);
+
+/// Appends one part of unit-cube quads for the light's slabs. All lights share the quads of even slabs, and differ only
+/// in their bounds: only the first light appends these.
+void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, const PlanOptions& options);
+
+}  // namespace tyndall

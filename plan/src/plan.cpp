@@ -1,0 +1,156 @@
+#include <tyndall/plan.h>
+
+#include "check/plan_check.h"
+#include "geometry/capacity.h"
+#include "geometry/plan_geometry.h"
+#include "plan_groups.h"
+#include "plan_stages.h"
+#include "needs/plan_technique.h"
+#include "slice_constants.h"
+
+namespace tyndall {
+namespace {
+
+// 2^24 slices of at most 28 corners keep every vertex's number within 32 bits; they would fill 9 GB.
+constexpr std::size_t mostSlices = std::size_t{1} << 24;
+
+void clear(Plan& plan) {
+    plan.vertices.clear();
+    plan.indices.clear();
+    plan.constants.clear();
+    plan.walls.clear();
+    plan.lights.clear();
+    plan.parts.clear();
+    plan.groups.clear();
+}
+
+Result<void> checkSlices(std::span<const Candidate> candidates) {
+    std::size_t slices = 0;
+    for (const Candidate& candidate : candidates) slices += static_cast<std::size_t>(candidate.slabs.count);
+    if (slices <= mostSlices) return {};
+    return broken("plan options: " + std::to_string(candidates.size()) + " lights are to be drawn with " +
+                  std::to_string(slices) + " slices: they must come to at most " + std::to_string(mostSlices) +
+                  " together; lower slices, or leave out lights");
+}
+
+}  // namespace
+
+struct Planner::Impl {
+    std::vector<Candidate> candidates;
+    std::vector<Omission> omissions;
+    std::vector<OccluderBounds> occluders;
+    std::vector<BlockerBounds> blockers;
+    std::vector<std::uint32_t> indices;
+    ConsiderScratch scratch;
+
+    Result<void> check(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                       const Surroundings& surroundings);
+    void consider(const PlanContext& context, std::span<const Light> lights, Plan& plan);
+    Result<void> draw(std::span<const Light> lights, const View& view, const PlanOptions& options, Plan& plan);
+};
+
+Result<void> Planner::Impl::check(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                                  const Surroundings& surroundings) {
+    if (const Result<void> checked = checkOptions(options); !checked) return checked;
+    if (const Result<void> checked = checkView(view); !checked) return checked;
+    if (const Result<void> checked = checkSurroundings(surroundings, lights.size()); !checked) return checked;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (const Result<void> checked = checkLight(lights[i], i, options); !checked) return checked;
+    return {};
+}
+
+void Planner::Impl::consider(const PlanContext& context, std::span<const Light> lights, Plan& plan) {
+    candidates.clear();
+    plan.lights.resize(lights.size());
+    const std::span<const LightSurvey> surveys = context.surroundings.surveys;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        PlannedLight& planned = plan.lights[i] = {};
+        planned.light = i;
+        Candidate& candidate = candidates.emplace_back();
+        candidate.light = static_cast<std::uint32_t>(i);
+        if (!tyndall::consider(context, lights[i], surveys.empty() ? LightSurvey{} : surveys[i], planned, candidate,
+                               scratch))
+            candidates.pop_back();
+    }
+}
+
+Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                                 Plan& plan) {
+    for (const Candidate& candidate : candidates) {
+        PlannedLight& planned = plan.lights[candidate.light];
+        const Light& light = lights[candidate.light];
+        if (planned.verdict != Verdict::Drawn) continue;
+        const Terms terms{planned.noise, planned.shadow, planned.cookie};
+        const SliceConstants constants =
+            sliceConstants(light, view, options, candidate.pose, candidate.volume, candidate.slabs, terms,
+                           candidate.shadowBias, {candidate.cookieFactor, candidate.noiseFactor});
+        if (!isFinite(constants))
+            return broken(
+                placeOf(light, candidate.light) +
+                ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, intensity, "
+                "ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
+        plan.constants.push_back(constants);
+        planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
+        const LightVolume& volume = candidate.volume;
+        plan.walls.insert(plan.walls.end(), volume.walls.begin(), volume.walls.end());
+        planned.technique = techniqueName(terms);
+        planned.nearDepth = candidate.slabs.nearDepth;
+        planned.farDepth = candidate.slabs.farDepth;
+        planned.drawn = true;
+        if (plan.geometry == Geometry::ExactPolygons)
+            appendPolygons(plan, planned, light, candidate, options, indices);
+        else
+            appendQuads(plan, planned, candidate, options);
+    }
+    return {};
+}
+
+Planner::Planner() : impl_(std::make_unique<Impl>()) {}
+Planner::Planner(Planner&&) noexcept = default;
+Planner& Planner::operator=(Planner&&) noexcept = default;
+Planner::~Planner() = default;
+
+Result<void> Planner::plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                           const Surroundings& surroundings, Plan& plan) try {
+    clear(plan);
+    if (const Result<void> checked = impl_->check(lights, view, options, surroundings); !checked) return checked;
+    impl_->occluders.clear();
+    if (surroundings.occluders)
+        for (const OccluderBox& box : *surroundings.occluders) impl_->occluders.push_back(boundsOf(box));
+    impl_->blockers.clear();
+    for (const Blocker& blocker : surroundings.blockers) impl_->blockers.push_back(boundsOf(blocker));
+    const PlanContext context{view,
+                              options,
+                              surroundings,
+                              impl_->occluders,
+                              impl_->blockers,
+                              viewSides(view, 1.0),
+                              options.technique ? termsOf(*options.technique) : std::nullopt};
+
+    plan.geometry = options.geometry;
+    plan.accumulation = options.accumulation;
+    plan.scale = targetScale(options);
+    impl_->consider(context, lights, plan);
+    leaveOutTheFaint(options, impl_->candidates, plan.lights, impl_->omissions);
+    Result<void> done = checkSlices(impl_->candidates);
+    if (done) done = impl_->draw(lights, view, options, plan);
+    if (!done) {
+        clear(plan);
+        return done;
+    }
+    formGroups(plan, lights);
+    return {};
+} catch (const CapacityExceeded& exceeded) {
+    clear(plan);
+    return tl::unexpected(internalError(exceeded));
+}
+
+Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
+                  const Surroundings& surroundings) {
+    Plan result;
+    if (const Result<void> done = Planner().plan(lights, view, options, surroundings, result); !done)
+        return tl::unexpected(done.error());
+    return result;
+}
+
+}  // namespace tyndall

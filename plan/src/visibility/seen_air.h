@@ -1,0 +1,30 @@
+// What the picture shows of a light's volume.
+#pragma once
+
+#include <tyndall/light.h>
+#include <tyndall/surroundings.h>
+#include <tyndall/view.h>
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "geometry/convex_polyhedron.h"
+#include "shape/light_shape.h"
+#include "visibility/view_pose.h"
+
+namespace tyndall {
+
+struct SeenAir {
+    bool any = false;                         ///< false: surfaces hide all of it
+    double nearDepth = 0.0, farDepth = 0.0;   ///< metres of view depth
+    double axisNear = 0.0, axisFar = 0.0;     ///< metres along the light's axis
+    SlopeRange slopes;                        ///< as the lamp sees it
+    double maxLength = 0.0;                   ///< metres: no view ray runs farther through it
+};
+
+/// `seen`: the part of the volume that the view's frustum shows. A tile shows what lies before its farthest surface.
+/// Conservative: the answer holds every point that a pixel shows.
+SeenAir seenAir(const ConvexPolyhedron& seen, const LightShape& shape, const View& view, const LightPose& pose,
+                const std::optional<DepthTiles>& tiles);
+
+}  // namespace tyndall

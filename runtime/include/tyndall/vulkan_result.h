@@ -1,0 +1,13 @@
+// Vulkan's results by name, for messages.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <string>
+
+namespace tyndall {
+
+/// "VK_ERROR_DEVICE_LOST": the results that the calls made here can give, by name; others as "VkResult 7".
+std::string resultName(VkResult result);
+
+}  // namespace tyndall
