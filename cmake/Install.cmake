@@ -1,5 +1,5 @@
-# `cmake --install`: the packages permgen (programs, tables, manifest loader, permgen_effect(), permgen_rig()) and tyndall (the
-# runtime), found by find_package(permgen) and find_package(tyndall).
+# `cmake --install`: the packages permgen (programs, tables, manifest loader, permgen_effect(), permgen_rig()) and tyndall
+# (components plan and runtime), found by find_package(permgen) and find_package(tyndall).
 include(CMakePackageConfigHelpers)
 
 set_target_properties(permgen_tables PROPERTIES EXPORT_NAME tables)
@@ -8,7 +8,9 @@ set_target_properties(tyndall_plan PROPERTIES EXPORT_NAME plan)
 set_target_properties(tyndall_runtime PROPERTIES EXPORT_NAME runtime)
 
 install(TARGETS permgen permgen_tables permgen_manifest EXPORT permgenTargets)
-install(TARGETS tyndall_plan tyndall_runtime EXPORT tyndallTargets)
+# Two sets, so that whoever asks for the component plan alone never names Vulkan.
+install(TARGETS tyndall_plan EXPORT tyndallPlanTargets)
+install(TARGETS tyndall_runtime EXPORT tyndallRuntimeTargets)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/permgen/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/plan/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
@@ -24,9 +26,13 @@ if(TARGET permgen_rig)
   install(TARGETS permgen_rig EXPORT permgenTargets)
 endif()
 
+set(permgen_exports permgenTargets)
+set(tyndall_exports tyndallPlanTargets tyndallRuntimeTargets)
 foreach(package IN ITEMS permgen tyndall)
   set(destination "${CMAKE_INSTALL_LIBDIR}/cmake/${package}")
-  install(EXPORT ${package}Targets NAMESPACE ${package}:: DESTINATION "${destination}")
+  foreach(set IN LISTS ${package}_exports)
+    install(EXPORT ${set} NAMESPACE ${package}:: DESTINATION "${destination}")
+  endforeach()
   configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/${package}Config.cmake.in"
                                 "${PROJECT_BINARY_DIR}/cmake/${package}Config.cmake"
                                 INSTALL_DESTINATION "${destination}")

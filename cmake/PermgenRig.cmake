@@ -3,7 +3,8 @@
 #
 # Tries out every technique of an effect: one ctest test each, called <name>.<technique>, that draws its passes with
 # what the fixture gives them and holds them against the goldens in the sources. Failures are shown in
-# <folder>/index.html; by default REPORT is rig-report in the build folder, for all effects together.
+# <folder>/index.html; the tests have the labels
+# rig and vulkan. By default REPORT is rig-report in the build folder, for all effects together.
 #
 # Goldens are made by the target <name>_update_goldens, which fails, because a run that makes its own truth has
 # tested nothing.
@@ -72,7 +73,8 @@ function(permgen_rig)
 
   file(WRITE "${folder}/include.cmake"
        "if(EXISTS \"${tests}\")\n  include(\"${tests}\")\nelse()\n"
-       "  add_test([==[${rig_NAME}.NOT_BUILT]==] \"the target ${rig_NAME}_rig is not built yet\")\nendif()\n")
+       "  add_test([==[${rig_NAME}.NOT_BUILT]==] \"the target ${rig_NAME}_rig is not built yet\")\n"
+       "  set_tests_properties([==[${rig_NAME}.NOT_BUILT]==] PROPERTIES LABELS \"rig;vulkan\")\nendif()\n")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${folder}/include.cmake")
 
   set(environment)

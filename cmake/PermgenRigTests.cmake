@@ -15,6 +15,6 @@ foreach(technique IN LISTS techniques)
   string(APPEND script
          "add_test(${test} [==[${RIG}]==] [==[${MANIFEST}]==] [==[${FIXTURE}]==] --technique ${technique} "
          "--goldens [==[${GOLDENS}]==] --report [==[${REPORT}]==])\n"
-         "set_tests_properties(${test} PROPERTIES ENVIRONMENT \"${environment}\" TIMEOUT 300)\n")
+         "set_tests_properties(${test} PROPERTIES ENVIRONMENT \"${environment}\" TIMEOUT 300 LABELS \"rig;vulkan\")\n")
 endforeach()
 file(WRITE "${TESTS}" "${script}")

@@ -1,7 +1,6 @@
 """Single faults as data: where a text stands, what takes its place, and what that breaks."""
 
 import json
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -54,16 +53,23 @@ def load(language: str) -> list[Mutant]:
     return mutants
 
 
-def check(mutants: list[Mutant]) -> None:
-    """Raises BadMutant where a mutant's text is not in its file any more."""
+def stale(mutants: list[Mutant]) -> list[str]:
+    """Why each mutant that no longer applies does not, one sentence each."""
+    reasons = []
     for mutant in mutants:
-        mutant.applied((ROOT / mutant.file).read_text())
+        try:
+            mutant.applied((ROOT / mutant.file).read_text())
+        except FileNotFoundError:
+            reasons.append(f"{mutant.id}: there is no {mutant.file}; tests/mutants/run move finds where it went")
+        except BadMutant as bad:
+            reasons.append(str(bad))
+    return reasons
 
 
-def failed_test(output: str) -> str | None:
-    """The first test that googletest says has failed."""
-    found = re.search(r"^\[  FAILED  \] ([\w./]+)", output, re.MULTILINE)
-    return found and found[1]
+def check(mutants: list[Mutant]) -> None:
+    """Raises BadMutant, which names all mutants whose text is not in its file any more."""
+    if reasons := stale(mutants):
+        raise BadMutant("\n".join([f"{len(reasons)} of {len(mutants)} mutants do not apply:", *reasons]))
 
 
 def report(language: str, killed: dict[str, str], survivors: list[Mutant], equivalents: list[Mutant]) -> int:

@@ -1,26 +1,12 @@
 # cmake -D BUILD=... -D SOURCE=... -D WORK=... -D GENERATOR=... -D CXX=... -D SANITIZE=... -P this
-function(run)
-  cmake_parse_arguments(arg "" "MESSAGE;OUT" "COMMAND" ${ARGN})
-  execute_process(COMMAND ${arg_COMMAND} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  if(NOT status EQUAL 0)
-    message(FATAL_ERROR "${arg_MESSAGE} failed (${status}):\n${text}")
-  endif()
-  if(arg_OUT)
-    set(${arg_OUT} "${text}" PARENT_SCOPE)
-  endif()
-endfunction()
-
-set(flags)
-if(SANITIZE)
-  set(flags -D CMAKE_CXX_FLAGS=-fsanitize=address,undefined)
-endif()
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 file(COPY "${SOURCE}/" DESTINATION "${WORK}/source")
 run(MESSAGE "install" COMMAND ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${WORK}/prefix")
 run(MESSAGE "configure"
-    COMMAND ${CMAKE_COMMAND} -S "${WORK}/source" -B "${WORK}/build" -G "${GENERATOR}" ${flags}
+    COMMAND ${CMAKE_COMMAND} -S "${WORK}/source" -B "${WORK}/build" -G "${GENERATOR}" ${sanitizer_flags}
             -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 run(MESSAGE "build" COMMAND ${CMAKE_COMMAND} --build "${WORK}/build")
 run(MESSAGE "consumer" COMMAND "${WORK}/build/consumer")

@@ -1,0 +1,27 @@
+# Precompiled headers, for the time of a clean build only: no source relies on them, and what is installed does not
+# know them. Two sets, because GCC takes a precompiled header with the same flags alone: libraries and programs use
+# the build type's optimization, tests -O1 (see tests/CMakeLists.txt).
+find_package(glm REQUIRED)
+find_package(nlohmann_json REQUIRED)
+set(tyndall_precompiled
+    <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <map> <memory> <optional> <set> <span>
+    <sstream> <string> <string_view> <unordered_map> <vector> <glm/glm.hpp> <nlohmann/json.hpp>)
+
+# tyndall_precompile(<name> [HEADERS <header>...] [OPTIONS <option>...]): makes the set.
+function(tyndall_precompile name)
+  cmake_parse_arguments(PARSE_ARGV 1 set "" "" "HEADERS;OPTIONS")
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" CONTENT "// Only its precompiled header is of use.\n")
+  add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  target_compile_options(${name} PRIVATE ${set_OPTIONS})
+  target_link_libraries(${name} PRIVATE glm::glm nlohmann_json::nlohmann_json tyndall_compiler_settings)
+  target_precompile_headers(${name} PRIVATE ${tyndall_precompiled} ${set_HEADERS})
+endfunction()
+
+# tyndall_use_precompiled(<name> <target>...): targets that do not exist in this configuration are skipped.
+function(tyndall_use_precompiled name)
+  foreach(target IN LISTS ARGN)
+    if(TARGET ${target})
+      target_precompile_headers(${target} REUSE_FROM ${name})
+    endif()
+  endforeach()
+endfunction()

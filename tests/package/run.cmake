@@ -1,0 +1,16 @@
+# What the scripts of this folder share: run(), which stops where a command fails, and the sanitizers' flags.
+function(run)
+  cmake_parse_arguments(arg "" "MESSAGE;OUT" "COMMAND" ${ARGN})
+  execute_process(COMMAND ${arg_COMMAND} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${arg_MESSAGE} failed (${status}):\n${text}")
+  endif()
+  if(arg_OUT)
+    set(${arg_OUT} "${text}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(sanitizer_flags)
+if(SANITIZE)
+  set(sanitizer_flags -D CMAKE_CXX_FLAGS=-fsanitize=address,undefined)
+endif()

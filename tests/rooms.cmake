@@ -1,0 +1,68 @@
+# Labels and costs of the tests, room by room. ctest prints the time of each label at its end; `ctest -L plan` runs
+# one room, `ctest -LE vulkan` what needs no device. Included last: every test is known by then.
+
+# tyndall_room(<label> PROGRAMS <target>... [VULKAN [<regular expression>...]] [COST [<regular expression> <seconds>]...])
+#
+# PROGRAMS: googletest programs that belong to the room; those that this configuration lacks are skipped.
+# VULKAN: their tests that draw; all where no expression follows. COST: long tests start first, so that no core is idle
+# at the end. It is a rough time in seconds.
+function(tyndall_room label)
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "PROGRAMS;VULKAN;COST")
+  string(JOIN "|" draws ${room_VULKAN})
+  if("VULKAN" IN_LIST ARGN AND NOT room_VULKAN)
+    set(draws ".")
+  endif()
+  foreach(program IN LISTS room_PROGRAMS)
+    if(NOT TARGET ${program})
+      continue()
+    endif()
+    get_target_property(folder ${program} SOURCE_DIR)
+    set(script "${PROJECT_BINARY_DIR}/tests/rooms/${program}.cmake")
+    # gtest_discover_tests() leaves the names in <program>_TESTS when ctest reads what it found.
+    file(CONFIGURE OUTPUT "${script}" @ONLY CONTENT [==[
+if(NOT DEFINED @program@_TESTS)
+  set(@program@_TESTS @program@_NOT_BUILT)
+endif()
+foreach(test IN LISTS @program@_TESTS)
+  set(labels "@label@")
+  if(NOT "@draws@" STREQUAL "" AND test MATCHES "@draws@")
+    list(APPEND labels vulkan)
+  endif()
+  set_tests_properties("${test}" PROPERTIES LABELS "${labels}")
+  set(costs "@room_COST@")
+  while(costs)
+    list(POP_FRONT costs pattern seconds)
+    if(test MATCHES "${pattern}")
+      set_tests_properties("${test}" PROPERTIES COST ${seconds})
+    endif()
+  endwhile()
+endforeach()
+]==])
+    set_property(DIRECTORY "${folder}" APPEND PROPERTY TEST_INCLUDE_FILES "${script}")
+  endforeach()
+endfunction()
+
+tyndall_room(permgen
+             PROGRAMS permgen_front_tests permgen_back_tests permgen_cli_tests permgen_manifest_tests)
+tyndall_room(plan PROGRAMS tyndall_plan_test COST "Brightness|Planner.Allocates" 8)
+tyndall_room(runtime PROGRAMS tyndall_states_test)
+tyndall_room(runtime PROGRAMS tyndall_once_test VULKAN "^RecordMemory")
+tyndall_room(runtime PROGRAMS tyndall_record_test tyndall_record_calls_test VULKAN)
+tyndall_room(planning PROGRAMS tyndall_planning_test VULKAN COST "RapidCheck" 16)
+tyndall_room(study PROGRAMS tyndall_study_tests)
+tyndall_room(apps PROGRAMS tyndall_app_tests
+             VULKAN "AccuracyTest" "InMotion" "^Images" "^Once" "PipelineCache" "PlannedEqualsForced"
+                    "Accumulations" "Formats" "Layers" "Render" "Slide" "^Command[.]"
+             COST "InMotion" 60 "DamagedAnywhere" 17 "PlannedEqualsForced" 6)
+tyndall_room(rig PROGRAMS tyndall_rig_test)
+tyndall_room(rig PROGRAMS permgen_rig_test VULKAN "^Program" "^PlantedFault")
+tyndall_room(permutations PROGRAMS tyndall_oracle_test)
+tyndall_room(permutations PROGRAMS tyndall_permutation_test VULKAN COST "TechniqueTest" 5)
+tyndall_room(permutations PROGRAMS tyndall_broken_permutation_test VULKAN COST "ANewAxis" 70 "." 9)
+
+# A test without a label would belong to no room and vanish from the times.
+find_package(Python3 3.10 COMPONENTS Interpreter REQUIRED)
+add_test(NAME rooms.every_test_has_a_label
+         COMMAND ${Python3_EXECUTABLE} "${CMAKE_CURRENT_SOURCE_DIR}/check_labels.py" ${CMAKE_CTEST_COMMAND}
+                 "${PROJECT_BINARY_DIR}")
+set_tests_properties(rooms.every_test_has_a_label PROPERTIES LABELS rooms)
