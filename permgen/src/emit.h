@@ -17,8 +17,11 @@ struct EmitOptions {
 /// NAME.fx.h, NAME.fx.json and the .spv files, with names relative to the output folder.
 std::vector<OutputFile> emit_files(const Program& program, const EmitOptions& options);
 
-/// NAME.fx.h: everything in permgen/tables.h, constexpr.
+/// NAME.fx.h: everything in permgen/tables.h, constexpr, and what emit_keys() adds.
 std::string emit_header(const Program& program, const EmitOptions& options);
+
+/// The header's enum of techniques, and for each module with axes a key struct with its look-ups.
+std::string emit_keys(const Program& program);
 
 /// NAME.fx.json: everything in the header, SPIR-V by file name.
 std::string emit_manifest(const Program& program, const EmitOptions& options);

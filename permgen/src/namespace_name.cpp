@@ -40,18 +40,18 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-bool is_taken(std::string_view name) {
-    return std::find(std::begin(taken), std::end(taken), name) != std::end(taken);
-}
-
 /// An identifier that is free for use at global scope ([lex.name]: no leading or double underscore).
 bool is_part(std::string_view part) {
-    if (part.empty() || !is_letter(part.front()) || is_taken(part)) return false;
+    if (part.empty() || !is_letter(part.front()) || is_keyword(part)) return false;
     if (part.find("__") != std::string_view::npos) return false;
     return std::all_of(part.begin(), part.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
 }
 
 }  // namespace
+
+bool is_keyword(std::string_view word) {
+    return std::find(std::begin(taken), std::end(taken), word) != std::end(taken);
+}
 
 bool is_namespace(const std::string& name) {
     std::string_view rest = name;
@@ -72,7 +72,7 @@ std::string default_namespace(const std::string& effect) {
     if (!name.empty() && name.back() == '_') name.pop_back();
     if (name.empty()) return "effect";
     if (is_digit(name.front())) name = "effect_" + name;
-    if (is_taken(name)) name += "_effect";
+    if (is_keyword(name)) name += "_effect";
     return name;
 }
 

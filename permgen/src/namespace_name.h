@@ -2,8 +2,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace permgen {
+
+/// Whether C++ keeps the word for itself, or the generated header needs it (`std`, `permgen`).
+bool is_keyword(std::string_view word);
 
 /// Whether "studio::slices" can be a namespace: identifiers that no C++ keyword or reserved name is.
 bool is_namespace(const std::string& name);

@@ -142,6 +142,33 @@ TEST(Header, AFrozenModuleThatPassesShareIsThereOnce) {
     EXPECT_EQ(header.find("frozen_3[]"), std::string::npos);
 }
 
+TEST(Keys, ATechniqueNamedLikeAKeywordStaysApartFromItsNeighbour) {
+    Program program = small();
+    program.effect.techniques[0].name = "new";
+    program.effect.techniques[1].name = "new_";
+    EXPECT_NE(emit_keys(program).find("    new__,\n    new_,\n"), std::string::npos) << emit_keys(program);
+}
+
+TEST(Keys, OneFunctionCompiledForBothStagesHasTwoKeys) {
+    Program program = small();
+    program.effect.modules[0].author_entry = program.effect.modules[1].author_entry = "both";
+    program.effect.modules[0].name = "both";
+    program.effect.modules[1].name = "both_2";  // as lowering names a second module of an entry point
+    program.effect.modules[0].axes = program.effect.modules[1].axes;
+    const std::string text = emit_keys(program);
+    EXPECT_NE(text.find("struct both_key {"), std::string::npos);
+    EXPECT_NE(text.find("struct both_2_key {"), std::string::npos);
+}
+
+TEST(Keys, AnAxisNamedLikeItsKeyIsRenamed) {
+    Program program = small();
+    program.effect.modules[1].axes[0].name = "ps_main_key";
+    program.effect.modules[1].axes[1].name = "class";
+    const std::string text = emit_keys(program);
+    EXPECT_NE(text.find("bool ps_main_key_ = false;"), std::string::npos) << text;
+    EXPECT_NE(text.find("bool class_ = false;"), std::string::npos) << text;
+}
+
 TEST(Depfile, EscapesWhatMakeWouldTakeApart) {
     EXPECT_EQ(emit_depfile("out dir/a.fx.h", {"b$c.fx", "d#e.fxh"}),
               "out\\ dir/a.fx.h: \\\n  b$$c.fx \\\n  d\\#e.fxh\n");
