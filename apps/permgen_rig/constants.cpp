@@ -1,7 +1,7 @@
 #include "constants.h"
 
 #include <fmt/format.h>
-#include <nearest.h>
+#include <front/nearest.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "json_value.h"
 
-#include <nearest.h>
+#include <front/nearest.h>
 
 #include <algorithm>
 

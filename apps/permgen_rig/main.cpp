@@ -1,6 +1,6 @@
 // The program: command line in, verdicts out.
 #include <fmt/format.h>
-#include <nearest.h>
+#include <front/nearest.h>
 #include <permgen/manifest.h>
 #include <rig/report.h>
 

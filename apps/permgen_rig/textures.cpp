@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 #include <names.h>
-#include <nearest.h>
+#include <front/nearest.h>
 
 #include <algorithm>
 

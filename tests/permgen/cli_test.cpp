@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "validate.h"
+#include "back/validate.h"
 
 namespace permgen {
 namespace {

@@ -1,4 +1,4 @@
-#include "compile.h"
+#include "back/compile.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "build_program.h"
-#include "compile_log.h"
-#include "compile_modules.h"
+#include "back/build_program.h"
+#include "back/compile_log.h"
+#include "back/compile_modules.h"
 #include "small_effect.h"
 
 namespace permgen {

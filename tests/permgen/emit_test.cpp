@@ -1,13 +1,13 @@
-#include "emit.h"
+#include "emit/emit.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "build_program.h"
-#include "list_effect.h"
-#include "namespace_name.h"
+#include "back/build_program.h"
+#include "emit/list_effect.h"
+#include "emit/namespace_name.h"
 #include "small_effect.h"
 
 namespace permgen {

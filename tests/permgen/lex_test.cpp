@@ -1,4 +1,4 @@
-#include "lex.h"
+#include "front/lex.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "link.h"
+#include "back/link.h"
 
 #include <gtest/gtest.h>
 
-#include "build_program.h"
+#include "back/build_program.h"
 #include "small_effect.h"
 
 namespace permgen {

@@ -1,11 +1,11 @@
-#include "lower.h"
+#include "lower/lower.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "compile.h"
-#include "parse.h"
+#include "back/compile.h"
+#include "front/parse.h"
 
 namespace permgen {
 namespace {

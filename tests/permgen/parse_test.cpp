@@ -1,4 +1,4 @@
-#include "parse.h"
+#include "front/parse.h"
 
 #include <gtest/gtest.h>
 

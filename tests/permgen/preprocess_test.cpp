@@ -1,4 +1,4 @@
-#include "preprocess.h"
+#include "front/preprocess.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

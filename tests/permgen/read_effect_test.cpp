@@ -1,3 +1,5 @@
+#include "lower/read_effect.h"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -6,8 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "build_program.h"
-#include "lowered.h"
+#include "back/build_program.h"
 
 namespace permgen {
 namespace {

@@ -1,10 +1,10 @@
-#include "reflect.h"
+#include "back/reflect.h"
 
 #include <gtest/gtest.h>
 
 #include <spirv/unified1/spirv.hpp>
 
-#include "compile.h"
+#include "back/compile.h"
 
 namespace permgen {
 namespace {

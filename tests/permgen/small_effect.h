@@ -2,7 +2,7 @@
 // techniques. What the front end would hand over, written out.
 #pragma once
 
-#include "lowered.h"
+#include "lower/lowered.h"
 
 namespace permgen::test {
 

@@ -1,15 +1,15 @@
-#include "specialize.h"
+#include "back/specialize.h"
 
 #include <gtest/gtest.h>
 
 #include <spirv/unified1/spirv.hpp>
 
-#include "compile.h"
-#include "program.h"
-#include "reflect.h"
+#include "back/compile.h"
+#include "back/program.h"
+#include "back/reflect.h"
+#include "back/spirv_module.h"
+#include "back/validate.h"
 #include "small_effect.h"
-#include "spirv_module.h"
-#include "validate.h"
 
 namespace permgen {
 namespace {

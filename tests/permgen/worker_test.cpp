@@ -1,4 +1,4 @@
-#include "worker.h"
+#include "back/worker.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

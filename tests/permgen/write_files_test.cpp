@@ -1,4 +1,4 @@
-#include "write_files.h"
+#include "emit/write_files.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

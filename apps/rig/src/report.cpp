@@ -3,7 +3,7 @@
 #include <rig/report.h>
 #include <sys/file.h>
 #include <unistd.h>
-#include <write_files.h>
+#include <emit/write_files.h>
 
 #include <cctype>
 #include <cerrno>

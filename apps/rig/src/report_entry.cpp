@@ -1,7 +1,7 @@
 #include "report_entry.h"
 
 #include <rig/compare.h>
-#include <write_files.h>
+#include <emit/write_files.h>
 
 #include <algorithm>
 #include <cmath>

@@ -53,7 +53,7 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
     std::array<glm::dvec3, 8> corners, toEye;
     double nearest = air.axisNear, farthest = 0.0, longest = 0.0;
     for (std::size_t i = 0; i < 8; ++i) {
-        const glm::dvec2 slope((i & 1) ? air.slideMax.x : air.slideMin.x, (i & 2) ? air.slideMax.y : air.slideMin.y);
+        const glm::dvec2 slope((i & 1) ? air.slopes.max.x : air.slopes.min.x, (i & 2) ? air.slopes.max.y : air.slopes.min.y);
         corners[i] = glm::dvec3(slope, -1.0) * ((i & 4) ? air.axisFar : air.axisNear);
         toEye[i] = view.orthographic ? glm::dvec3(pose.lightFromView[2]) : eye - corners[i];
         farthest = std::max(farthest, glm::length(corners[i]));

@@ -1,0 +1,14 @@
+// The vertex stage must feed what the pixel stage reads.
+#pragma once
+
+#include "back/reflect.h"
+#include "lower/lowered.h"
+
+namespace permgen {
+
+/// Checks one pass after its switches were set, so an input that only another technique reads does not
+/// count. Vulkan specification, "Interface Matching": same location and type, at least as many components.
+Diagnostics check_link(const LoweredPass& pass, const LoweredModule& vertex, const Reflection& vertex_actual,
+                       const LoweredModule& pixel, const Reflection& pixel_actual);
+
+}  // namespace permgen

@@ -1,0 +1,33 @@
+#include "back/names.h"
+
+namespace permgen {
+
+std::string_view scalar_name(ScalarType type) {
+    constexpr std::string_view names[] = {"bool", "int", "uint", "float"};
+    return names[static_cast<int>(type)];
+}
+
+std::string type_name(ScalarType type, std::uint32_t components) {
+    return std::string(scalar_name(type)) + (components > 1 ? std::to_string(components) : std::string());
+}
+
+std::string_view stage_name(Stage stage) {
+    return stage == Stage::Vertex ? "vertex" : "pixel";
+}
+
+std::string_view kind_name(ResourceKind kind) {
+    return kind == ResourceKind::UniformBuffer ? "uniform-buffer" : "combined-image-sampler";
+}
+
+std::string_view dimension_name(ImageDimension dimension) {
+    constexpr std::string_view names[] = {"", "1d", "2d", "3d", "cube"};
+    return names[static_cast<int>(dimension)];
+}
+
+std::string resource_name(ResourceKind kind, ImageDimension dimension) {
+    if (kind == ResourceKind::UniformBuffer) return "uniform block";
+    constexpr std::string_view names[] = {"sampler", "sampler1D", "sampler2D", "sampler3D", "samplerCUBE"};
+    return std::string(names[static_cast<int>(dimension)]);
+}
+
+}  // namespace permgen

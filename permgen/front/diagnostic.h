@@ -1,0 +1,32 @@
+// What permgen says about an effect: a code that never changes its meaning, a place, a sentence.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace permgen {
+
+/// A place in the author's own text; line and column count from 1, columns in bytes.
+struct Place {
+    std::string file;
+    int line = 0;    ///< 0: the file as a whole
+    int column = 0;  ///< 0: the line as a whole
+};
+
+enum class Severity { Error, Warning, Note };
+
+struct Diagnostic {
+    Severity severity = Severity::Error;
+    std::string code;  ///< "PG001"; the list is in docs/diagnostics.md
+    Place place;
+    std::string message;  ///< what is wrong and what to do
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+/// "file:line:column: error[PG001]: message", without a newline; parts that are 0 are left out.
+std::string format(const Diagnostic& diagnostic);
+
+bool has_errors(const Diagnostics& diagnostics);
+
+}  // namespace permgen

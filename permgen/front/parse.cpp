@@ -1,0 +1,151 @@
+#include "front/parse.h"
+
+#include <algorithm>
+#include <array>
+
+#include "front/parse_declaration.h"
+#include "front/parse_technique.h"
+
+namespace permgen {
+namespace {
+
+constexpr std::size_t max_syntax_errors = 20;
+
+// Words that begin something of D3D10, of later HLSL, or of D3DX that has no meaning here.
+struct Refused {
+    std::string_view word;
+    std::string_view reason;
+};
+constexpr std::array<Refused, 24> refused_words = {{
+    {"technique10", "write a `technique` with `compile`"},
+    {"technique11", "write a `technique` with `compile`"},
+    {"fxgroup", "write the techniques at file scope"},
+    {"VertexShader", "write the `compile` into the pass"},
+    {"PixelShader", "write the `compile` into the pass"},
+    {"vertexshader", "write the `compile` into the pass"},
+    {"pixelshader", "write the `compile` into the pass"},
+    {"vertexfragment", "write the shader in HLSL and `compile` it"},
+    {"pixelfragment", "write the shader in HLSL and `compile` it"},
+    {"stateblock", "write the states into the pass"},
+    {"asm", "write the shader in HLSL"},
+    {"tbuffer", "use a cbuffer"},
+    {"namespace", "prefix the names instead"},
+    {"class", "use a struct and functions"},
+    {"interface", "use a struct and functions"},
+    {"SamplerState", "declare a `sampler2D` and read it with tex2D"},
+    {"SamplerComparisonState", "declare a `sampler2D` and compare in the shader"},
+    {"Texture1D", "declare a `sampler1D` and read it with tex1D"},
+    {"Texture2D", "declare a `sampler2D` and read it with tex2D"},
+    {"Texture3D", "declare a `sampler3D` and read it with tex3D"},
+    {"TextureCube", "declare a `samplerCUBE` and read it with texCUBE"},
+    {"Buffer", "use a cbuffer"},
+    {"StructuredBuffer", "use a cbuffer"},
+    {"RWTexture2D", "effects cannot write to textures"},
+}};
+
+// `texture` and `sampler` are types only in front of a name.
+bool declares(const ParseCursor& cursor, bool (*is_type)(const Token&), std::size_t ahead) {
+    return is_type(cursor.peek(ahead)) && cursor.peek(ahead + 1).is_identifier() && !cursor.peek(ahead + 2).is("(");
+}
+
+// A `string`: something for tools to read.
+void drop_declaration(ParseCursor& cursor) {
+    const std::size_t begin = cursor.at;
+    cursor.take();
+    do {
+        Variable declarator;
+        declarator.name = cursor.expect_identifier("a name").text;
+        parse_declarator(cursor, declarator, ",;");
+    } while (cursor.take_if(","));
+    cursor.expect(";", "after this declaration");
+    cursor.drop({begin, cursor.at});
+}
+
+void parse_item(ParseCursor& cursor) {
+    const Token& token = cursor.peek();
+    if (token.is(";")) return cursor.drop({cursor.at, (cursor.take(), cursor.at)});
+    if (same_word(token.text, "technique")) return parse_technique(cursor);
+    for (const Refused& refused : refused_words)
+        if (token.is(refused.word) &&
+            (cursor.peek(1).is_identifier() || cursor.peek(1).is("{") || cursor.peek(1).is("<")))
+            cursor.fail("PG022", token.at,
+                        "'" + std::string(token.text) + "' is not supported; " + std::string(refused.reason));
+    if (token.is("struct")) return parse_struct(cursor);
+    if (token.is("typedef")) return parse_typedef(cursor);
+    if (token.is("cbuffer")) return parse_constant_buffer(cursor);
+    if (token.is("string") && cursor.peek(1).is_identifier()) return drop_declaration(cursor);
+
+    std::size_t qualifiers = 0;
+    static constexpr std::array<std::string_view, 5> skippable = {"uniform", "extern", "shared", "static", "const"};
+    while (std::any_of(skippable.begin(), skippable.end(),
+                       [&](std::string_view word) { return cursor.peek(qualifiers).is(word); }))
+        ++qualifiers;
+    const auto drop_qualifiers = [&] {
+        cursor.drop({cursor.at, cursor.at + qualifiers});
+        cursor.at += qualifiers;
+    };
+    if (declares(cursor, is_sampler_type, qualifiers)) return drop_qualifiers(), parse_samplers(cursor);
+    if (declares(cursor, is_texture_type, qualifiers)) return drop_qualifiers(), parse_textures(cursor);
+    parse_function_or_globals(cursor);
+}
+
+// From the beginning of an item with a syntax error to where the next one probably begins.
+void resynchronize(ParseCursor& cursor) {
+    std::size_t open = 0;
+    cursor.take();
+    while (!cursor.done()) {
+        const Token& token = cursor.peek();
+        const bool new_item = token.starts_line && token.at.column == 1 &&
+                              (same_word(token.text, "technique") || token.is("struct") || token.is("cbuffer"));
+        if (new_item) return;
+        cursor.take();
+        if (token.is("{")) ++open;
+        if (token.is("}") && (open == 0 || --open == 0)) {
+            cursor.take_if(";");
+            return;
+        }
+        if (token.is(";") && open == 0) return;
+    }
+}
+
+}  // namespace
+
+ParsedEffect parse(Tokens tokens, const Sources& sources, Diagnostics& diagnostics) {
+    ParsedEffect effect;
+    effect.tokens = std::move(tokens);
+    effect.dropped.assign(effect.tokens.size(), false);
+    ParseCursor cursor{effect, sources, diagnostics};
+    std::size_t errors = 0;
+    while (!cursor.done() && errors < max_syntax_errors) {
+        const std::size_t begin = cursor.at;
+        try {
+            parse_item(cursor);
+        } catch (const SyntaxError&) {
+            ++errors;
+            cursor.at = begin;
+            resynchronize(cursor);
+        }
+    }
+    return effect;
+}
+
+Semantic parse_semantic(const Token& word) {
+    Semantic semantic;
+    semantic.at = word.at;
+    std::string text(word.text);
+    for (char& c : text)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    constexpr std::string_view centroid = "_CENTROID";
+    if (text.size() > centroid.size() && text.ends_with(centroid)) {
+        semantic.centroid = true;
+        text.resize(text.size() - centroid.size());
+    }
+    std::size_t digits = text.size();
+    while (digits > 0 && text[digits - 1] >= '0' && text[digits - 1] <= '9' && text.size() - digits < 4) --digits;
+    for (std::size_t i = digits; i < text.size(); ++i)
+        semantic.index = semantic.index * 10 + static_cast<unsigned>(text[i] - '0');
+    semantic.name = text.substr(0, digits);
+    return semantic;
+}
+
+}  // namespace permgen

@@ -1,0 +1,17 @@
+// Tokens to a ParsedEffect: the grammar of D3D9 effect files. Function bodies and initializers stay tokens.
+#pragma once
+
+#include "front/effect.h"
+
+namespace permgen {
+
+/// Brackets nested deeper than this are refused: glslang overflows its stack some way above.
+inline constexpr std::size_t max_bracket_depth = 256;
+
+/// Parses all of `tokens`, which end with an End token. Goes on behind an error, up to twenty of them.
+ParsedEffect parse(Tokens tokens, const Sources& sources, Diagnostics& diagnostics);
+
+/// A semantic's parts; see Semantic.
+Semantic parse_semantic(const Token& word);
+
+}  // namespace permgen

@@ -1,0 +1,140 @@
+#include "lower/lower.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "front/report.h"
+#include "lower/lower_wrapper.h"
+
+namespace permgen {
+namespace {
+
+class Lowering {
+public:
+    Lowering(const ParsedEffect& effect, const Sources& sources, Diagnostics& diagnostics)
+        : effect_(effect), sources_(sources), diagnostics_(diagnostics) {}
+
+    Lowered run() {
+        check_names();
+        for (const ParsedTechnique& technique : effect_.techniques) lower_technique(technique);
+        const SamplerDimensions dimensions = infer_sampler_dimensions(effect_, sources_, diagnostics_);
+        const LoweredText author = author_text(effect_, sources_, dimensions, lowered_.resources, diagnostics_);
+        if (has_errors(diagnostics_)) return std::move(lowered_);
+        widen_varyings();
+        LocationTable locations;
+        for (const EntryPoint& entry : entries_) {
+            collect(locations, entry.stage, Direction::In, entry.inputs);
+            collect(locations, entry.stage, Direction::Out, entry.outputs);
+        }
+        number(locations);
+        for (const EntryPoint& entry : entries_)
+            lowered_.modules.push_back(make_module(effect_, sources_, entry, locations, author));
+        return std::move(lowered_);
+    }
+
+private:
+    void error(const char* code, Location at, std::string message) {
+        report_error(diagnostics_, code, sources_.place(at), std::move(message));
+    }
+
+    void widen_varyings() {
+        for (EntryPoint& vertex : entries_)
+            for (const EntryPoint& pixel : entries_)
+                if (vertex.stage == Stage::Vertex && pixel.stage == Stage::Pixel) widen(vertex.outputs, pixel.inputs);
+    }
+
+    void check_names() {
+        std::map<std::string_view, Location> declared;
+        const auto declare = [&](std::string_view name, Location at) {
+            const auto [known, is_new] = declared.emplace(name, at);
+            if (!is_new)
+                error("PG023", at,
+                      "'" + std::string(name) + "' is declared twice; the first stands in line " +
+                          std::to_string(known->second.line));
+        };
+        for (const Struct& structure : effect_.structs) declare(structure.name, structure.at);
+        for (const Variable& global : effect_.globals) declare(global.name, global.at);
+        for (const Sampler& sampler : effect_.samplers) declare(sampler.name, sampler.at);
+        for (const TextureObject& texture : effect_.textures) declare(texture.name, texture.at);
+        for (const ConstantBuffer& buffer : effect_.constant_buffers) {
+            declare(buffer.name, buffer.at);
+            for (const Variable& member : buffer.members) declare(member.name, member.at);
+        }
+        for (const Token& token : effect_.tokens) {
+            if (!token.is_identifier() || !token.text.starts_with("permgen_")) continue;
+            error("PG042", token.at, "'" + std::string(token.text) + "': names that begin with permgen_ are reserved");
+            break;
+        }
+        const bool has_uniforms = std::any_of(effect_.globals.begin(), effect_.globals.end(),
+                                              [](const Variable& global) { return !global.qualifiers.is_static; });
+        if (const auto globals = declared.find("Globals"); has_uniforms && globals != declared.end())
+            error("PG042", globals->second, "'Globals' is what the loose uniforms' block is called; use another name");
+        if (effect_.techniques.empty() && !effect_.tokens.empty())
+            error("PG027", Location{effect_.tokens.back().at.file, 0, 0},
+                  "the effect has no technique; add technique NAME { pass NAME { ... } }");
+    }
+
+    void lower_technique(const ParsedTechnique& technique) {
+        LoweredTechnique result;
+        result.name = technique.name;
+        result.place = sources_.place(technique.at);
+        for (const ParsedPass& pass : technique.passes) {
+            LoweredPass lowered;
+            lowered.name = pass.name;
+            lowered.place = sources_.place(pass.at);
+            for (const StateAssignment& state : pass.states) lowered.states.emplace_back(state.name, state.value);
+            if (pass.vertex) lowered.vertex = lower_shader(*pass.vertex, Stage::Vertex);
+            if (pass.pixel) lowered.pixel = lower_shader(*pass.pixel, Stage::Pixel);
+            result.passes.push_back(std::move(lowered));
+        }
+        lowered_.techniques.push_back(std::move(result));
+    }
+
+    LoweredShader lower_shader(const Compile& compile, Stage stage) {
+        LoweredShader shader;
+        shader.place = sources_.place(compile.at);
+        std::optional<BoundEntry> bound = bind_arguments(effect_, sources_, compile, diagnostics_);
+        if (!bound) return shader;
+        // Literals become specialization constants of one shared module; anything else is part of its text.
+        std::string key = std::string(compile.entry) + (stage == Stage::Vertex ? "|v" : "|p");
+        for (const BoundParameter& parameter : bound->uniforms) {
+            key += parameter.is_axis ? "|axis" : "|=" + parameter.expression;
+            if (!parameter.is_axis) continue;
+            shader.constants.push_back({std::string(parameter.parameter->name),
+                                        static_cast<std::uint32_t>(shader.constants.size()), parameter.type,
+                                        parameter.bits});
+        }
+        const auto [known, is_new] = modules_.emplace(key, static_cast<int>(entries_.size()));
+        shader.module = known->second;
+        if (!is_new) return shader;
+        EntryPoint entry{
+            unique_name(std::string(compile.entry)), stage, std::string(compile.profile), std::move(*bound), {}, {}};
+        find_interface(effect_, sources_, entry, diagnostics_);
+        entries_.push_back(std::move(entry));
+        return shader;
+    }
+
+    // The function's own name for its first module, "name_2" and so on for the rest.
+    std::string unique_name(const std::string& base) {
+        std::string name = base;
+        for (int n = 2; !names_.insert(name).second; ++n) name = base + '_' + std::to_string(n);
+        return name;
+    }
+
+    const ParsedEffect& effect_;
+    const Sources& sources_;
+    Diagnostics& diagnostics_;
+    Lowered lowered_;
+    std::vector<EntryPoint> entries_;
+    std::map<std::string, int> modules_;
+    std::set<std::string> names_;
+};
+
+}  // namespace
+
+Lowered lower(const ParsedEffect& effect, const Sources& sources, Diagnostics& diagnostics) {
+    return Lowering(effect, sources, diagnostics).run();
+}
+
+}  // namespace permgen

@@ -1,0 +1,101 @@
+// An effect after lowering: HLSL that glslang understands, and the interface that must come out of it.
+// The boundary between the effect language (preprocess, lex, parse, lower) and the back end (compile,
+// specialize, reflect, emit): plain data, nothing of either side.
+#pragma once
+
+#include <permgen/tables.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "front/diagnostic.h"
+
+namespace permgen {
+
+/// In front of author's names that glslang keeps for itself (`point`, `sampler`, ...): members and resources of
+/// such a name carry it in the SPIR-V, and lose it in what the author gets to see.
+inline constexpr std::string_view renamed_prefix = "permgen_id_";
+
+/// A specialization constant that the generated wrapper declares.
+struct LoweredAxis {
+    std::string name;  ///< the author's parameter name
+    std::uint32_t id;  ///< constant_id, from 0 in parameter order
+    ScalarType type;
+    std::uint32_t default_bits;  ///< the parameter's own default value where written, else 0
+    Place place;
+};
+
+/// One input or output of an entry point, after semantics were resolved.
+struct LoweredAttribute {
+    std::string semantic;  ///< upper case with index: "TEXCOORD3", "COLOR0", "SV_POSITION", "SV_CLIPDISTANCE1"
+    bool builtin = false;  ///< a system value: has no location
+    std::uint32_t location = 0;
+    std::uint32_t components = 4;
+    ScalarType type = ScalarType::Float;
+    Place place;
+};
+
+struct LoweredResource {
+    std::string name;
+    ResourceKind kind;
+    ImageDimension dimension = ImageDimension::None;
+    std::uint32_t set = 0;
+    std::uint32_t binding = 0;
+    std::vector<std::pair<std::string, std::string>> sampler_states;  ///< {"MinFilter", "LINEAR"}, author's order
+    Place place;
+};
+
+/// One entry point to compile. Equal entries of several techniques share one.
+struct LoweredModule {
+    std::string name;          ///< unique in the effect
+    std::string entry;         ///< the generated wrapper's name: the SPIR-V's entry point
+    std::string author_entry;  ///< "ps_main"
+    Stage stage;
+    std::string profile;  ///< "ps_3_0", as written
+    std::string hlsl;
+    std::vector<Place> line_map;  ///< the author's place of each line of `hlsl`; file empty: generated
+    std::vector<LoweredAxis> axes;
+    std::vector<LoweredAttribute> inputs;
+    std::vector<LoweredAttribute> outputs;
+    Place place;  ///< of the entry function
+};
+
+struct LoweredConstant {
+    std::string name;
+    std::uint32_t id;
+    ScalarType type;
+    std::uint32_t bits;
+};
+
+struct LoweredShader {
+    int module = -1;  ///< index into Lowered::modules; -1: the pass has no such stage
+    std::vector<LoweredConstant> constants;
+    Place place;  ///< of the `compile` expression
+};
+
+struct LoweredPass {
+    std::string name;
+    LoweredShader vertex;
+    LoweredShader pixel;
+    std::vector<std::pair<std::string, std::string>> states;
+    Place place;
+};
+
+struct LoweredTechnique {
+    std::string name;
+    std::vector<LoweredPass> passes;
+    Place place;
+};
+
+struct Lowered {
+    std::string name;  ///< file name without folder and extension
+    std::vector<LoweredModule> modules;
+    std::vector<LoweredResource> resources;  ///< of the whole effect, in order of binding
+    std::vector<LoweredTechnique> techniques;
+    std::vector<std::string> dependencies;  ///< every file read, the effect itself first
+};
+
+}  // namespace permgen

@@ -1,0 +1,24 @@
+#include "lower/read_effect.h"
+
+#include <filesystem>
+
+#include "front/parse.h"
+#include "lower/lower.h"
+
+namespace permgen {
+
+Lowered read_effect(const std::string& path, const SourceOptions& options, Diagnostics& diagnostics) {
+    Lowered lowered;
+    Sources sources;
+    Preprocessed preprocessed = preprocess(path, options, sources, diagnostics);
+    // What a broken line leaves would only draw complaints about things the author did not write.
+    if (!has_errors(diagnostics)) {
+        const ParsedEffect effect = parse(std::move(preprocessed.tokens), sources, diagnostics);
+        if (!has_errors(diagnostics)) lowered = lower(effect, sources, diagnostics);
+    }
+    lowered.name = std::filesystem::path(path).stem().string();
+    lowered.dependencies = std::move(preprocessed.dependencies);
+    return lowered;
+}
+
+}  // namespace permgen
