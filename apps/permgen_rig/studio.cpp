@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <headless/commands.h>
+#include <tyndall/rendering.h>
 
 #include <algorithm>
 #include <set>
@@ -55,31 +56,17 @@ std::uint32_t targetsOf(const permgen::Technique& technique) {
 void beginRendering(VkCommandBuffer commands, std::span<const headless::Image> colours, const headless::Image* depth,
                     VkAttachmentLoadOp load, const std::array<float, 4>& clear) {
     std::vector<VkRenderingAttachmentInfo> attachments;
-    VkRenderingAttachmentInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    info.loadOp = load;
-    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    std::copy(clear.begin(), clear.end(), info.clearValue.color.float32);
     for (const headless::Image& image : colours) {
-        info.imageView = image.view();
-        attachments.push_back(info);
+        attachments.push_back(attachment(image.view(), VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, load));
+        std::copy(clear.begin(), clear.end(), attachments.back().clearValue.color.float32);
     }
-    VkRenderingInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.layerCount = 1;
-    rendering.colorAttachmentCount = static_cast<std::uint32_t>(attachments.size());
-    rendering.pColorAttachments = attachments.data();
+    VkRenderingAttachmentInfo depthInfo{};
     if (depth) {
-        info.imageView = depth->view();
-        info.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-        info.clearValue = {};
-        info.clearValue.depthStencil.depth = 1.0f;
-        rendering.pDepthAttachment = &info;
+        depthInfo = attachment(depth->view(), VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, load);
+        depthInfo.clearValue.depthStencil.depth = 1.0f;
     }
     const VkExtent2D extent = depth ? depth->extent() : colours.empty() ? VkExtent2D{1, 1} : colours[0].extent();
-    rendering.renderArea = {{0, 0}, extent};
-    vkCmdBeginRendering(commands, &rendering);
+    tyndall::beginRendering(commands, extent, attachments, depth ? &depthInfo : nullptr);
 }
 
 }  // namespace
@@ -229,12 +216,6 @@ Result<void> Studio::recordPass(VkCommandBuffer commands, const Targets& targets
 }
 
 void Studio::recordDraw(VkCommandBuffer commands, const Stream& stream) const {
-    const VkExtent2D extent{fixture_.width, fixture_.height};
-    const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
-                              0.0f, 1.0f};
-    const VkRect2D scissor{{0, 0}, extent};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &scissor);
     const VkBuffer vertices = stream.vertices.handle();
     const VkDeviceSize offset = 0, stride = stream.stride;
     vkCmdBindVertexBuffers2(commands, 0, 1, &vertices, &offset, nullptr, &stride);

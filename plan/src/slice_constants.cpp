@@ -1,5 +1,7 @@
 #include "slice_constants.h"
 
+#include <tyndall/article.h>
+
 #include "shape/slide.h"
 
 #include <algorithm>
@@ -11,15 +13,6 @@
 
 namespace tyndall {
 namespace {
-
-// The published constants: Mitchell, "Light Shafts: Rendering Shadows in Participating Media", GDC 2004.
-// Distances there are in inches; slices weigh 9 / f, with f the number of slices over a hundred.
-namespace article {
-constexpr glm::dvec4 attenuation{20000.0, 0.25, 39.37007874, 0.0};
-constexpr double flatDust = 0.015;
-constexpr double noiseGain = 0.05;
-constexpr double weight = 9.0 * 100.0;
-}  // namespace article
 
 constexpr glm::vec4 keepEverything{0.0f, 0.0f, 0.0f, 1.0f};
 
@@ -112,7 +105,7 @@ SliceConstants sliceConstants(const Light& light, const View& view, const PlanOp
 
     constants.cookieScale = glm::dvec4(cookieScale(shapeOf(light)), 0.0, 0.0);
     constants.attenuation =
-        options.look == Look::Physical ? glm::dvec4(light.intensity, light.ambient, 1.0, 0.0) : article::attenuation;
+        options.look == Look::Physical ? glm::dvec4(light.intensity, light.ambient, 1.0, 0.0) : glm::dvec4(article::intensity, article::ambient, article::inchesPerMetre, 0.0);
     constants.dust = dustConstants(light, options, terms, standIns[Term::Noise].x);
     const Noise noise = light.noise.value_or(Noise{});
     constants.noise1 = noiseMap(noise.scale, noise.scroll1, options.time);

@@ -1,8 +1,9 @@
 // Adds the slices of a group's lights up in the accumulation target.
-#include "barriers.h"
 #include "effect_contract.h"
+
+#include <tyndall/barriers.h>
+#include <tyndall/rendering.h>
 #include "renderer_pipelines.h"
-#include "rendering.h"
 
 namespace tyndall {
 namespace {
@@ -84,7 +85,7 @@ void beginAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
     VkRenderingAttachmentInfo depth =
         attachment(targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
     depth.storeOp = VK_ATTACHMENT_STORE_OP_NONE;  // STORE would count as a write
-    beginRendering(commands, targets.extent, &colour, targets.depth ? &depth : nullptr);
+    beginRendering(commands, targets.extent, {&colour, 1}, targets.depth ? &depth : nullptr);
 }
 
 void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {

@@ -1,9 +1,10 @@
 // Adds an accumulated group to the picture.
-#include "barriers.h"
 #include "composite_data.h"
+
+#include <tyndall/barriers.h>
+#include <tyndall/rendering.h>
 #include "effect_contract.h"
 #include "renderer_pipelines.h"
-#include "rendering.h"
 
 namespace tyndall {
 namespace {
@@ -35,7 +36,7 @@ void beginComposite(VkCommandBuffer commands, const ShaftTargets& targets) {
 
     const VkRenderingAttachmentInfo colour =
         attachment(targets.colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_LOAD);
-    beginRendering(commands, targets.extent, &colour, nullptr);
+    beginRendering(commands, targets.extent, {&colour, 1}, nullptr);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "neutral_textures.h"
 
-#include "barriers.h"
+#include <tyndall/barriers.h>
+
 
 namespace tyndall {
 namespace {

@@ -1,8 +1,8 @@
 #include <tyndall/renderer.h>
+#include <tyndall/barriers.h>
 
 #include <algorithm>
 
-#include "barriers.h"
 #include "composite_data.h"
 #include "effect_contract.h"
 #include "effects.h"

@@ -1,5 +1,6 @@
 // Draws what a light sees, depth only.
 #include <tyndall/renderer.h>
+#include <tyndall/rendering.h>
 
 #include <bit>
 #include <cmath>
@@ -7,7 +8,6 @@
 
 #include "effect_contract.h"
 #include "renderer_pipelines.h"
-#include "rendering.h"
 
 namespace tyndall {
 namespace {
@@ -62,7 +62,7 @@ Result<void> Renderer::recordShadowMap(VkCommandBuffer commands, FrameData& fram
     // Cleared to 0, the far plane: depth is reversed.
     const VkRenderingAttachmentInfo depth =
         attachment(map, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
-    beginRendering(commands, {size, size}, nullptr, &depth);
+    beginRendering(commands, {size, size}, {}, &depth);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline->handle);
 
     const glm::dmat4 clipFromWorld = lightClipFromWorld(light);

@@ -1,6 +1,7 @@
 // Passes of an effect that the runtime knows nothing about, drawn through its public pipelines.
 #include <headless/buffer.h>
 #include <painting.fx.h>
+#include <tyndall/rendering.h>
 #include <tyndall/pass_pipelines.h>
 
 #include "record_scene.h"
@@ -74,17 +75,7 @@ protected:
                 headless::transition(commands, depth, VK_IMAGE_LAYOUT_UNDEFINED,
                                      VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
             pipelines->recordNeutralResources(commands);
-            VkRenderingInfo rendering{};
-            rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-            rendering.renderArea = {{0, 0}, {4, 4}};
-            rendering.layerCount = 1;
-            rendering.colorAttachmentCount = static_cast<std::uint32_t>(attachments.size());
-            rendering.pColorAttachments = attachments.data();
-            rendering.pDepthAttachment = depth.handle() ? &depthAttachment : nullptr;
-            vkCmdBeginRendering(commands, &rendering);
-            const VkViewport viewport{0.0f, 0.0f, 4.0f, 4.0f, 0.0f, 1.0f};
-            vkCmdSetViewport(commands, 0, 1, &viewport);
-            vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
+            beginRendering(commands, {4, 4}, attachments, depth.handle() ? &depthAttachment : nullptr);
             if (dynamicState) dynamicState(commands);
             const VkBuffer vertices = triangle.handle();
             const VkDeviceSize offset = 0, stride = sizeof(glm::vec2);

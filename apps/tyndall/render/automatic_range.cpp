@@ -1,5 +1,7 @@
 #include "automatic_range.h"
 
+#include <tyndall/article.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,8 +32,8 @@ double scattered(const Light& light, const glm::dmat4& lightFromWorld, const glm
         if (glm::dot(plane, glm::dvec4(world, 1.0)) < 0.0) return 0.0;
     const double brightest = std::max({light.colour.r, light.colour.g, light.colour.b});
     if (look == Look::Article) {
-        constexpr double inchesPerMetre = 1.0 / 0.0254;
-        return brightest * (0.25 + 20000.0 / (glm::dot(p, p) * inchesPerMetre * inchesPerMetre));
+        const glm::dvec3 inches = article::inchesPerMetre * p;
+        return brightest * (article::ambient + article::intensity / glm::dot(inches, inches));
     }
     return brightest * light.density / (4.0 * std::numbers::pi) * (light.intensity / glm::dot(p, p) + light.ambient);
 }
@@ -43,9 +45,9 @@ double automaticRange(std::span<const Light> lights, const View& view, const Sha
     for (const Light& light : lights) lightFromWorld.push_back(glm::inverse(light.worldFromLight));
     const double farthest = farthestLit(lights, view);
     const glm::dmat4 viewFromClip = glm::inverse(view.clipFromView);
-    // The article adds a constant for each of its slices, however thick: 9/f times a flat noise of 0.015.
+    // The article adds a constant for each of its slices, whatever its thickness.
     const double perStep =
-        options.look == Look::Article ? 9.0 * 0.015 * 100.0 / steps : (farthest - view.nearPlane) / steps;
+        options.look == Look::Article ? article::weight * article::flatDust / steps : (farthest - view.nearPlane) / steps;
     double brightest = smallest;
     for (int pixel = 0; pixel < columns * rows; ++pixel) {
         const double x = 2.0 * (pixel % columns + 0.5) / columns - 1.0;

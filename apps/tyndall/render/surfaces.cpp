@@ -1,5 +1,6 @@
 #include "surfaces.h"
 
+#include <tyndall/rendering.h>
 #include <scene.fx.h>
 #include <vulkan/vulkan.h>
 
@@ -189,27 +190,11 @@ Outcome<void> prepareSurfaces(const headless::Device& device, PassPipelines& pip
 
 Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,
                             const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets) {
-    VkRenderingAttachmentInfo colour{};
-    colour.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    colour.imageView = targets.colour;
-    colour.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    VkRenderingAttachmentInfo depth = colour;
-    depth.imageView = targets.depth;
-    depth.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
-    VkRenderingInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    rendering.renderArea = {{0, 0}, targets.extent};
-    rendering.layerCount = 1;
-    rendering.colorAttachmentCount = 1;
-    rendering.pColorAttachments = &colour;
-    rendering.pDepthAttachment = &depth;
-    vkCmdBeginRendering(commands, &rendering);
-    const VkViewport viewport{
-        0.0f, 0.0f, static_cast<float>(targets.extent.width), static_cast<float>(targets.extent.height), 0.0f, 1.0f};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
+    const VkRenderingAttachmentInfo colour =
+        attachment(targets.colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
+    const VkRenderingAttachmentInfo depth =
+        attachment(targets.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR);
+    beginRendering(commands, targets.extent, {&colour, 1}, &depth);
     for (const SurfaceDraw& draw : pass.draws) {
         const MeshInstance& instance = scene.instances[draw.instance];
         const Mesh& mesh = scene.meshes[instance.mesh];

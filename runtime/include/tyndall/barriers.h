@@ -1,4 +1,4 @@
-// Barriers between the passes that the renderer records.
+// Barriers, as the renderer records them between its passes.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

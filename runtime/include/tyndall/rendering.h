@@ -3,6 +3,9 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include <cstdint>
+#include <span>
+
 namespace tyndall {
 
 /// An attachment that starts at zero where `load` clears, and is kept.
@@ -16,15 +19,15 @@ inline VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layo
     return info;
 }
 
-/// Begins rendering over the whole of `extent`, viewport and scissor included. Either attachment may be null.
-inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent, const VkRenderingAttachmentInfo* colour,
-                           const VkRenderingAttachmentInfo* depth) {
+/// Begins rendering over the whole of `extent`, viewport and scissor included. `depth` may be null.
+inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent,
+                           std::span<const VkRenderingAttachmentInfo> colours, const VkRenderingAttachmentInfo* depth) {
     VkRenderingInfo rendering{};
     rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     rendering.renderArea = {{0, 0}, extent};
     rendering.layerCount = 1;
-    rendering.colorAttachmentCount = colour ? 1 : 0;
-    rendering.pColorAttachments = colour;
+    rendering.colorAttachmentCount = static_cast<std::uint32_t>(colours.size());
+    rendering.pColorAttachments = colours.data();
     rendering.pDepthAttachment = depth;
     vkCmdBeginRendering(commands, &rendering);
     const VkViewport viewport{0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
