@@ -1,8 +1,8 @@
 #include "block_layout.h"
 
 #include <fmt/format.h>
-#include <names.h>
-#include <spirv_module.h>
+#include <back/names.h>
+#include <back/spirv_module.h>
 
 #include <optional>
 #include <spirv/unified1/spirv.hpp>

@@ -161,9 +161,9 @@ bool tryOut(headless::Device& device, Studio& studio, const permgen::Effect& eff
 }
 
 Status run(const Options& options) {
-    const permgen::LoadResult loaded = permgen::load_manifest(options.manifest);
-    if (!loaded.effect) stop(loaded.error);
-    const permgen::Effect& whole = loaded.effect->tables();
+    const auto loaded = permgen::load_manifest(options.manifest);
+    if (!loaded) stop(loaded.error().message);
+    const permgen::Effect& whole = loaded->tables();
     const permgen::Effect effect = chosen(whole, options);
     if (options.list) {
         for (const permgen::Technique& technique : effect.techniques) fmt::print("{}\n", technique.name);

@@ -1,7 +1,7 @@
 #include "textures.h"
 
 #include <fmt/format.h>
-#include <names.h>
+#include <back/names.h>
 #include <front/nearest.h>
 
 #include <algorithm>

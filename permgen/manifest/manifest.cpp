@@ -184,11 +184,11 @@ std::filesystem::path find_manifest(const std::filesystem::path& path) {
     std::vector<std::filesystem::path> found;
     for (std::filesystem::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
         if (entry->path().filename().string().ends_with(manifest_ending)) found.push_back(entry->path());
-    if (error) throw Fault{path.string() + ": the folder cannot be read (" + error.message() + ")"};
+    if (error) throw Fault{path.string() + ": the folder cannot be read (" + error.message() + ")", ErrorCode::File};
     if (found.size() == 1) return found.front();
     const std::string remedy = found.empty() ? "; let permgen compile write into it" : "; name one of them";
     throw Fault{path.string() + ": the folder holds " + std::to_string(found.size()) + " manifests (*" +
-                std::string(manifest_ending) + ")" + remedy};
+                std::string(manifest_ending) + ")" + remedy, ErrorCode::File};
 }
 
 nlohmann::json parse(const std::filesystem::path& file) {
@@ -213,15 +213,15 @@ const Effect& LoadedEffect::tables() const {
     return storage_->effect;
 }
 
-LoadResult load_manifest(const std::filesystem::path& manifest) {
+Result<LoadedEffect> load_manifest(const std::filesystem::path& manifest) {
     try {
         const std::filesystem::path file = find_manifest(manifest);
         const nlohmann::json json = parse(file);
         auto storage = std::make_unique<LoadedEffect::Storage>();
         Loader(file.parent_path(), *storage).load(JsonNode(json, file.string()));
-        return {LoadedEffect(std::move(storage)), {}};
+        return LoadedEffect(std::move(storage));
     } catch (const Fault& fault) {
-        return {std::nullopt, fault.message};
+        return tl::unexpected(Error{fault.code, fault.message, 0, manifest.string()});
     }
 }
 

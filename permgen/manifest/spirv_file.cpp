@@ -13,8 +13,9 @@ namespace {
 constexpr std::uint32_t magic = 0x07230203;  // SPIR-V 1.6, 2.3 "Physical Layout"
 constexpr std::size_t header_bytes = 20;     // five words, same place
 
-[[noreturn]] void broken(const std::filesystem::path& file, const std::string& what) {
-    throw Fault{file.string() + ": " + what + "; write it anew with permgen compile"};
+[[noreturn]] void broken(const std::filesystem::path& file, const std::string& what,
+                         ErrorCode code = ErrorCode::Format) {
+    throw Fault{file.string() + ": " + what + "; write it anew with permgen compile", code};
 }
 
 }  // namespace
@@ -22,14 +23,14 @@ constexpr std::size_t header_bytes = 20;     // five words, same place
 std::string read_bytes(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) broken(file, "there is no such file");
-    if (!std::filesystem::is_regular_file(status)) broken(file, "this is no regular file");
+    if (!std::filesystem::exists(status)) broken(file, "there is no such file", ErrorCode::File);
+    if (!std::filesystem::is_regular_file(status)) broken(file, "this is no regular file", ErrorCode::File);
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream bytes;
     if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
     if (!stream.is_open() || stream.bad() || bytes.fail())
-        broken(file, std::string("the file cannot be read (") + std::strerror(errno) + ")");
+        broken(file, std::string("the file cannot be read (") + std::strerror(errno) + ")", ErrorCode::File);
     return std::move(bytes).str();
 }
 

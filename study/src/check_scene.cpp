@@ -8,11 +8,11 @@
 namespace tyndall::study {
 namespace {
 
-using Checked = tl::expected<void, std::string>;
+using Checked = Result<void>;
 
 template <class... Args>
-tl::unexpected<std::string> broken(fmt::format_string<Args...> text, Args&&... args) {
-    return tl::unexpected<std::string>(fmt::format(text, std::forward<Args>(args)...));
+tl::unexpected<Error> broken(fmt::format_string<Args...> text, Args&&... args) {
+    return tl::unexpected(Error{ErrorCode::InvalidArgument, fmt::format(text, std::forward<Args>(args)...)});
 }
 
 bool finite(const glm::dmat4& matrix) {

@@ -6,6 +6,6 @@
 namespace tyndall::study {
 
 /// Errors: the first broken rule, with its place and what to do.
-tl::expected<void, std::string> checkScene(const ReferenceScene& scene, const ReferenceOptions& options);
+Result<void> checkScene(const ReferenceScene& scene, const ReferenceOptions& options);
 
 }  // namespace tyndall::study

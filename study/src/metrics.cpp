@@ -17,8 +17,12 @@ Place placeOf(const FloatImage& image, std::size_t index) {
             static_cast<int>(index % image.channels)};
 }
 
-tl::expected<void, std::string> check(const FloatImage& image, const char* what) {
-    const auto problem = [what](const std::string& text) { return tl::unexpected(std::string(what) + " " + text); };
+tl::unexpected<Error> broken(std::string sentence) {
+    return tl::unexpected(Error{ErrorCode::InvalidArgument, std::move(sentence)});
+}
+
+Result<void> check(const FloatImage& image, const char* what) {
+    const auto problem = [what](const std::string& text) { return broken(std::string(what) + " " + text); };
     if (image.width < 1 || image.height < 1 || image.channels < 1) return problem("has no pixels");
     const std::size_t values = static_cast<std::size_t>(image.width) * image.height * image.channels;
     if (image.values.size() != values)
@@ -27,15 +31,15 @@ tl::expected<void, std::string> check(const FloatImage& image, const char* what)
     return {};
 }
 
-tl::expected<void, std::string> checkAlike(const FloatImage& image, const FloatImage& reference) {
+Result<void> checkAlike(const FloatImage& image, const FloatImage& reference) {
     if (auto checked = check(image, "the image"); !checked) return checked;
     if (auto checked = check(reference, "the reference"); !checked) return checked;
     const auto size = [](const FloatImage& of) { return std::to_string(of.width) + "x" + std::to_string(of.height); };
     if (image.width != reference.width || image.height != reference.height)
-        return tl::unexpected("the image is " + size(image) + " pixels and the reference " + size(reference) +
+        return broken("the image is " + size(image) + " pixels and the reference " + size(reference) +
                               "; make them in one size");
     if (image.channels != reference.channels)
-        return tl::unexpected("the image has " + std::to_string(image.channels) + " channels and the reference " +
+        return broken("the image has " + std::to_string(image.channels) + " channels and the reference " +
                               std::to_string(reference.channels) + "; write both with the same ones");
     return {};
 }
@@ -73,7 +77,7 @@ NonFinite countNonFinite(const FloatImage& image) {
     return found;
 }
 
-tl::expected<Metrics, std::string> compare(const FloatImage& image, const FloatImage& reference,
+Result<Metrics> compare(const FloatImage& image, const FloatImage& reference,
                                            const MetricOptions& options) {
     if (auto checked = checkAlike(image, reference); !checked) return tl::unexpected(checked.error());
     Metrics metrics;

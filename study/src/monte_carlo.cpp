@@ -119,11 +119,12 @@ struct PointTest {
 
 }  // namespace
 
-tl::expected<Estimate, std::string> monteCarlo(const ReferenceScene& scene, int x, int y, int samples,
+Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int samples,
                                                std::uint64_t seed) {
     if (auto checked = checkScene(scene, {}); !checked) return tl::unexpected(checked.error());
     if (samples < replicates)
-        return tl::unexpected(fmt::format("an estimate takes at least {} samples; give more", replicates));
+        return tl::unexpected(Error{ErrorCode::InvalidArgument,
+                                    fmt::format("an estimate takes at least {} samples; give more", replicates)});
     const bool ideal = scene.mode == Mode::Ideal;
     const Surfaces surfaces(scene.view, ideal ? scene.triangles : std::vector<Triangle>{});
     const ViewRay ray = viewRay(scene.view, scene.width, scene.height, x + 0.5, y + 0.5);

@@ -76,7 +76,7 @@ private:
 
 }  // namespace
 
-tl::expected<ReferenceImage, std::string> reference(const ReferenceScene& scene, const ReferenceOptions& options) {
+Result<ReferenceImage> reference(const ReferenceScene& scene, const ReferenceOptions& options) {
     if (auto checked = checkScene(scene, options); !checked) return tl::unexpected(checked.error());
     const PreparedScene prepared = prepare(scene);
 
@@ -100,7 +100,7 @@ tl::expected<ReferenceImage, std::string> reference(const ReferenceScene& scene,
     const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
     Rows rows(scene.height,
               std::min(options.threads > 0 ? options.threads : processors, static_cast<unsigned>(scene.height)), row);
-    if (!rows.wait(options.progress)) return tl::unexpected<std::string>("interrupted");
+    if (!rows.wait(options.progress)) return tl::unexpected(Error{ErrorCode::Interrupted, "interrupted"});
 
     image.largestBound = *std::max_element(image.bound.begin(), image.bound.end());
     for (const std::uint64_t count : evaluations) image.evaluations += count;

@@ -47,7 +47,7 @@ study::FloatImage referenceFor(const headless::Device& device, TermSet terms) {
     study::ReferenceOptions options;
     options.accuracy = 1e-6;
     const auto exact = study::reference(scene, options);
-    if (!exact) throw std::runtime_error(exact.error());
+    if (!exact) throw std::runtime_error(exact.error().message);
     EXPECT_LE(exact->largestBound, 1e-6);
     study::FloatImage image{width, height, 3, {}};
     for (const glm::dvec3& pixel : exact->radiance)
@@ -69,7 +69,7 @@ TEST_P(AccuracyTest, FallsAsOneOverTheNumberOfSlices) {
     std::vector<double> errors;
     for (const int slices : {100, 1000, 4000}) {
         const auto metrics = study::compare(rendered(*device, GetParam(), slices), exact);
-        ASSERT_TRUE(metrics) << metrics.error();
+        ASSERT_TRUE(metrics) << metrics.error().message;
         ASSERT_TRUE(metrics->finite());
         errors.push_back(metrics->relativeL2);
         RecordProperty("relative_l2_" + std::to_string(slices), std::to_string(metrics->relativeL2));

@@ -127,7 +127,7 @@ private:
         seen.view.sceneDepth = View{}.sceneDepth;
         const auto hardware = must(hardwareScene(*device_, seen, view_, shafts_.shadowSize));
         const auto exact = study::reference(hardware, {.accuracy = 1e-4, .threads = 0, .progress = {}});
-        if (!exact) throw std::runtime_error(exact.error());
+        if (!exact) throw std::runtime_error(exact.error().message);
         return shownOf(exact->radiance, motion_.exposure);
     }
 

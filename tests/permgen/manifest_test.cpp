@@ -117,16 +117,16 @@ void expect_same(const Effect& a, const Effect& b) {
 }
 
 TEST(LoadManifest, GivesTheGeneratedHeadersTables) {
-    LoadResult loaded = load_manifest(EFFECTS "/slices.fx.json");
-    ASSERT_TRUE(loaded.effect) << loaded.error;
-    EXPECT_FALSE(loaded.effect->tables().techniques[0].passes[0].pixel.frozen.empty());
-    expect_same(loaded.effect->tables(), slices::effect);
+    auto loaded = load_manifest(EFFECTS "/slices.fx.json");
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_FALSE(loaded->tables().techniques[0].passes[0].pixel.frozen.empty());
+    expect_same(loaded->tables(), slices::effect);
 }
 
 TEST(LoadManifest, GivesAxesOfEveryTypeAndImagesOfEveryDimension) {
-    const LoadResult loaded = load_manifest(EFFECTS "/everything.fx.json");
-    ASSERT_TRUE(loaded.effect) << loaded.error;
-    const Effect& effect = loaded.effect->tables();
+    const auto loaded = load_manifest(EFFECTS "/everything.fx.json");
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const Effect& effect = loaded->tables();
     ASSERT_EQ(effect.techniques.size(), 2u);
     EXPECT_EQ(effect.techniques[1].passes[0].pixel.module, nullptr);
     EXPECT_EQ(find_resource(effect, "Sky")->dimension, ImageDimension::Cube);
@@ -135,12 +135,12 @@ TEST(LoadManifest, GivesAxesOfEveryTypeAndImagesOfEveryDimension) {
 }
 
 TEST(LoadManifest, PointersSurviveAMove) {
-    LoadResult loaded = load_manifest(EFFECTS "/everything.fx.json");
-    ASSERT_TRUE(loaded.effect) << loaded.error;
-    const Effect* before = &loaded.effect->tables();
-    LoadedEffect moved = std::move(*loaded.effect);
+    auto loaded = load_manifest(EFFECTS "/everything.fx.json");
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const Effect* before = &loaded->tables();
+    LoadedEffect moved = std::move(*loaded);
     EXPECT_EQ(&moved.tables(), before);
-    LoadedEffect again = std::move(load_manifest(EFFECTS "/slices.fx.json").effect).value();
+    LoadedEffect again = load_manifest(EFFECTS "/slices.fx.json").value();
     again = std::move(moved);
     EXPECT_EQ(&again.tables(), before);
     expect_same(again.tables(), everything::effect);
@@ -164,11 +164,11 @@ protected:
     }
     /// Expects a refusal whose sentence names `file` and says `what`.
     void expect_refused(const fs::path& file, const std::string& what) const {
-        const LoadResult loaded = load_manifest(manifest);
-        ASSERT_FALSE(loaded.effect) << what;
-        EXPECT_EQ(loaded.error.rfind(file.string() + ": ", 0), 0u) << loaded.error;
-        EXPECT_NE(loaded.error.find(what), std::string::npos) << loaded.error;
-        EXPECT_EQ(loaded.error.find('\n'), std::string::npos) << loaded.error;
+        const auto loaded = load_manifest(manifest);
+        ASSERT_FALSE(loaded) << what;
+        EXPECT_EQ(loaded.error().message.rfind(file.string() + ": ", 0), 0u) << loaded.error().message;
+        EXPECT_NE(loaded.error().message.find(what), std::string::npos) << loaded.error().message;
+        EXPECT_EQ(loaded.error().message.find('\n'), std::string::npos) << loaded.error().message;
     }
     void expect_refused(const Json& changed, const std::string& what) const {
         put(manifest, changed.dump());
@@ -180,16 +180,16 @@ protected:
 };
 
 TEST_F(BrokenManifest, AFolderIsGoodForItsOnlyManifest) {
-    LoadResult loaded = load_manifest(folder);
-    ASSERT_TRUE(loaded.effect) << loaded.error;
-    EXPECT_EQ(loaded.effect->tables().name, "everything");
+    auto loaded = load_manifest(folder);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->tables().name, "everything");
     fs::copy(manifest, folder / "other.fx.json");
     loaded = load_manifest(folder);
-    EXPECT_NE(loaded.error.find(folder.string() + ": the folder holds 2 manifests"), std::string::npos) << loaded.error;
+    EXPECT_NE(loaded.error().message.find(folder.string() + ": the folder holds 2 manifests"), std::string::npos) << loaded.error().message;
     fs::remove_all(folder);
     fs::create_directory(folder);
     loaded = load_manifest(folder);
-    EXPECT_NE(loaded.error.find("the folder holds 0 manifests"), std::string::npos) << loaded.error;
+    EXPECT_NE(loaded.error().message.find("the folder holds 0 manifests"), std::string::npos) << loaded.error().message;
 }
 
 TEST_F(BrokenManifest, FilesThatAreNotThere) {

@@ -49,7 +49,7 @@ study::ReferenceScene referenceScene(const Shot& shot, double depthExtent) {
 // What the pixels should hold. The published weights count depth, not the ray's length.
 std::vector<glm::dvec3> truth(const Shot& shot, double depthExtent) {
     auto image = study::reference(referenceScene(shot, depthExtent));
-    if (!image) throw std::runtime_error(image.error());
+    if (!image) throw std::runtime_error(image.error().message);
     if (shot.article)
         for (int y = 0; y < shot.height; ++y)
             for (int x = 0; x < shot.width; ++x)

@@ -28,8 +28,9 @@ technique t { pass { VertexShader = compile vs_3_0 vs_main(); PixelShader = comp
 
 struct BlockLayout : testing::Test {
     test::Folder folder;
-    permgen::LoadResult loaded = permgen::load_manifest(test::compileEffect(folder.path(), "types", kEffect));
-    const permgen::Effect& effect = loaded.effect.value().tables();
+    permgen::Result<permgen::LoadedEffect> loaded =
+        permgen::load_manifest(test::compileEffect(folder.path(), "types", kEffect));
+    const permgen::Effect& effect = loaded.value().tables();
     std::vector<BlockMember> members = blockMembers(effect).value();
 
     const BlockMember& member(std::string_view name) {

@@ -22,9 +22,9 @@ DeviceContext context() {
 }
 
 permgen::LoadedEffect load(const std::string& name) {
-    permgen::LoadResult loaded = permgen::load_manifest(EFFECTS "/" + name + ".fx.json");
-    if (!loaded.effect) throw std::runtime_error(loaded.error);
-    return std::move(*loaded.effect);
+    auto loaded = permgen::load_manifest(EFFECTS "/" + name + ".fx.json");
+    if (!loaded) throw std::runtime_error(loaded.error().message);
+    return std::move(*loaded);
 }
 
 std::vector<Rgba> picture(Renderer& renderer) {

@@ -21,7 +21,7 @@ FloatImage row(std::vector<float> values) {
 
 Metrics measured(const FloatImage& image, const FloatImage& reference) {
     const auto metrics = compare(image, reference);
-    EXPECT_TRUE(metrics) << (metrics ? "" : metrics.error());
+    EXPECT_TRUE(metrics) << (metrics ? "" : metrics.error().message);
     return metrics ? *metrics : Metrics{};
 }
 
@@ -201,10 +201,10 @@ TEST(Metrics, DifferentPicturesAreRefused) {
     const FloatImage wide{3, 2, 1, std::vector<float>(6)}, tall{2, 3, 1, std::vector<float>(6)};
     const FloatImage grey{2, 2, 1, std::vector<float>(4)}, colour{2, 2, 3, std::vector<float>(12)};
     const FloatImage short_{2, 2, 1, std::vector<float>(3)}, empty{0, 2, 1, {}};
-    EXPECT_NE(compare(wide, tall).error().find("3x2 pixels and the reference 2x3"), std::string::npos);
-    EXPECT_NE(compare(grey, colour).error().find("1 channels and the reference 3"), std::string::npos);
-    EXPECT_NE(compare(grey, short_).error().find("the reference holds 3 values"), std::string::npos);
-    EXPECT_NE(compare(empty, grey).error().find("the image has no pixels"), std::string::npos);
+    EXPECT_NE(compare(wide, tall).error().message.find("3x2 pixels and the reference 2x3"), std::string::npos);
+    EXPECT_NE(compare(grey, colour).error().message.find("1 channels and the reference 3"), std::string::npos);
+    EXPECT_NE(compare(grey, short_).error().message.find("the reference holds 3 values"), std::string::npos);
+    EXPECT_NE(compare(empty, grey).error().message.find("the image has no pixels"), std::string::npos);
 }
 
 TEST(DeadZone, IsTheBrightestReferenceThatBecameNothing) {

@@ -25,10 +25,10 @@ Score compare(MakeScene make, Mode mode, std::uint64_t firstSeed, int scenes, in
     for (int i = 0; i < scenes; ++i) {
         const study::ReferenceScene scene = make(firstSeed + static_cast<std::uint64_t>(i), mode);
         const auto image = study::reference(scene);
-        if (!image) throw std::runtime_error(image.error());
+        if (!image) throw std::runtime_error(image.error().message);
         for (const auto& [x, y] : {std::pair{4, 3}, {1, 1}, {7, 2}, {2, 5}}) {
             const auto estimate = study::monteCarlo(scene, x, y, samples, 77);
-            if (!estimate) throw std::runtime_error(estimate.error());
+            if (!estimate) throw std::runtime_error(estimate.error().message);
             const glm::dvec3 exact = image->radiance[static_cast<std::size_t>(y) * scene.width + x];
             for (int c = 0; c < 3; ++c) {
                 const double error = estimate->standardError[c];

@@ -17,7 +17,7 @@ ReferenceImage render(const ReferenceScene& scene, double accuracy = 1e-9, unsig
     options.accuracy = accuracy;
     options.threads = threads;
     auto image = study::reference(scene, options);
-    if (!image) throw std::runtime_error(image.error());
+    if (!image) throw std::runtime_error(image.error().message);
     return std::move(*image);
 }
 
@@ -180,7 +180,7 @@ TEST(Reference, StopsWhenAsked) {
     };
     const auto image = study::reference(scene, options);
     ASSERT_FALSE(image);
-    EXPECT_EQ(image.error(), "interrupted");
+    EXPECT_EQ(image.error().message, "interrupted");
 }
 
 TEST(Reference, SaysWhatIsWrong) {
@@ -192,7 +192,7 @@ TEST(Reference, SaysWhatIsWrong) {
         ReferenceOptions options;
         change(scene, options);
         const auto image = study::reference(scene, options);
-        return image ? std::string() : image.error();
+        return image ? std::string() : image.error().message;
     };
     using Options = ReferenceOptions;
     EXPECT_EQ(message([](ReferenceScene&, Options&) {}), "");

@@ -233,7 +233,7 @@ TEST(Scattering, TheOppositeRaySeesTheOppositeG) {
 
 ReferenceImage render(const ReferenceScene& scene) {
     auto image = study::reference(scene);
-    if (!image) throw std::runtime_error(image.error());
+    if (!image) throw std::runtime_error(image.error().message);
     return std::move(*image);
 }
 
@@ -293,7 +293,7 @@ TEST(Scattering, WhatItCannotBeIsRefused) {
         light.anisotropy = g;
         light.albedo = albedo;
         const auto image = study::reference(oneRay(light, {0, 0, 5}, {0, 0, -1}));
-        return image ? std::string() : image.error();
+        return image ? std::string() : image.error().message;
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double g : {1.0, -1.0, 1.5, nan})

@@ -64,7 +64,7 @@ glm::dvec3 radianceOf(const ReferenceScene& scene, double accuracy) {
     options.accuracy = accuracy;
     options.threads = 1;
     const auto image = study::reference(scene, options);
-    if (!image) throw std::runtime_error(image.error());
+    if (!image) throw std::runtime_error(image.error().message);
     return image->radiance.at(0);
 }
 

@@ -20,9 +20,9 @@ const permgen::Effect* effectUnderTest(const std::string& name) {
     static std::map<std::string, permgen::LoadedEffect> loaded;
     const auto known = loaded.find(name);
     if (known != loaded.end()) return &known->second.tables();
-    permgen::LoadResult result = permgen::load_manifest(manifest);
-    if (!result.effect) throw std::runtime_error("TYNDALL_EFFECTS: " + result.error);
-    return &loaded.emplace(name, std::move(*result.effect)).first->second.tables();
+    auto result = permgen::load_manifest(manifest);
+    if (!result) throw std::runtime_error("TYNDALL_EFFECTS: " + result.error().message);
+    return &loaded.emplace(name, std::move(*result)).first->second.tables();
 }
 
 }  // namespace tyndall::test

@@ -49,7 +49,7 @@ Outcome<Said> compare(const CompareOptions& options) {
     comparison.reference = std::move(*reference);
     auto metrics = study::compare(comparison.image.image, comparison.reference.image,
                                   {.bandingThreshold = options.bandingThreshold});
-    if (!metrics) return fail("{} cannot be compared with {}: {}", options.image, options.reference, metrics.error());
+    if (!metrics) return fail("{} cannot be compared with {}: {}", options.image, options.reference, metrics.error().message);
     comparison.metrics = *metrics;
     if (comparison.image.channels != comparison.reference.channels)
         return fail(

@@ -60,7 +60,7 @@ Outcome<Said> reference(const ReferenceOptions& options, const Progress& progres
                      return wanted;
                  }});
     if (!wanted) return fail("{}", interrupted);
-    if (!image) return fail("{}: {}", options.view.scene, image.error());
+    if (!image) return fail("{}: {}", options.view.scene, image.error().message);
     run.integrating = seconds(start);
 
     if (auto written = writePicture(options.output, pictureOf(*image), std::nullopt); !written)

@@ -2,12 +2,11 @@
 // holds, for programs that reload effects while they run and for tools that meet an effect for the first time.
 #pragma once
 
+#include <permgen/error.h>
 #include <permgen/tables.h>
 
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string>
 
 namespace permgen {
 
@@ -28,18 +27,12 @@ private:
     std::unique_ptr<const Storage> storage_;
 };
 
-/// An effect, or else why there is none.
-struct LoadResult {
-    std::optional<LoadedEffect> effect;
-    std::string error;  ///< one sentence that names file, place and remedy, without a trailing newline
-};
-
 /// Loads `manifest`, a NAME.fx.json or a folder that holds only one of them, and the .spv files that it names,
 /// which lie beside it.
 ///
-/// Fails where a file cannot be read, where the JSON is broken or of another format, where a field is absent or
+/// Errors: File where a file cannot be read; Format where the JSON is broken or of another format, where a field is absent or
 /// of the wrong type, where a name (of a type, stage, kind, module, resource or block) is unknown, where a
 /// file's name leads out of the folder, and where a .spv is empty, torn or no SPIR-V.
-LoadResult load_manifest(const std::filesystem::path& manifest);
+Result<LoadedEffect> load_manifest(const std::filesystem::path& manifest);
 
 }  // namespace permgen

@@ -6,11 +6,12 @@
 // order the pixels come.
 #pragma once
 
+#include <tyndall/result.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <tl/expected.hpp>
 #include <vector>
 
 namespace tyndall::study {
@@ -97,7 +98,7 @@ NonFinite countNonFinite(const FloatImage& image);
 
 /// Errors, one sentence: pictures whose widths, heights or numbers of channels differ, without pixels, or
 /// with another number of values than their size says.
-tl::expected<Metrics, std::string> compare(const FloatImage& image, const FloatImage& reference,
+Result<Metrics> compare(const FloatImage& image, const FloatImage& reference,
                                            const MetricOptions& options = {});
 
 /// The banding measure alone; image and reference of one size. Values that are not finite end a run.

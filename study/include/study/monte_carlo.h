@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
-#include <tl/expected.hpp>
 
 namespace tyndall::study {
 
@@ -22,7 +21,7 @@ struct Estimate {
 /// points.
 ///
 /// Errors: as reference(); fewer than 32 samples.
-tl::expected<Estimate, std::string> monteCarlo(const ReferenceScene& scene, int x, int y, int samples,
+Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int samples,
                                                std::uint64_t seed);
 
 }  // namespace tyndall::study

@@ -14,6 +14,7 @@
 
 #include <study/texture.h>
 #include <tyndall/light.h>
+#include <tyndall/result.h>
 #include <tyndall/view.h>
 
 #include <cstdint>
@@ -21,7 +22,6 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
-#include <tl/expected.hpp>
 #include <vector>
 
 namespace tyndall::study {
@@ -82,6 +82,6 @@ struct ReferenceImage {
 
 /// Errors, one sentence each: a light, view or texture that breaks what is stated above; an image without
 /// pixels; "interrupted" where `progress` said so.
-tl::expected<ReferenceImage, std::string> reference(const ReferenceScene& scene, const ReferenceOptions& options = {});
+Result<ReferenceImage> reference(const ReferenceScene& scene, const ReferenceOptions& options = {});
 
 }  // namespace tyndall::study

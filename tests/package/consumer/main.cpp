@@ -11,9 +11,9 @@ static_assert(permgen::is_live(permgen::find_technique(tint::effect, "picture")-
 
 int main() {
     // And at run time, as an engine does that reloads what was edited.
-    const permgen::LoadResult loaded = permgen::load_manifest(EFFECTS);
-    if (!loaded.effect || loaded.effect->tables().techniques.size() != tint::effect.techniques.size()) {
-        std::fprintf(stderr, "%s\n", loaded.error.c_str());
+    const auto loaded = permgen::load_manifest(EFFECTS);
+    if (!loaded || loaded->tables().techniques.size() != tint::effect.techniques.size()) {
+        std::fprintf(stderr, "%s\n", loaded ? "another number of techniques" : loaded.error().message.c_str());
         return 1;
     }
 
