@@ -104,8 +104,7 @@ std::vector<std::string> savings(const PlannedLight& light) {
     for (const Term term : allTerms) {
         const std::string name(nameOf(term));
         if (light.verdicts[term] == TermVerdict::Uniform)
-            sentences.push_back("No " + name +
-                                ": it is the same all over what is seen; a factor takes its place.");
+            sentences.push_back("No " + name + ": it is the same all over what is seen; a factor takes its place.");
         if (light.verdicts[term] == TermVerdict::Invisible)
             sentences.push_back("No " + name +
                                 ": it differs by less than the display shows; its mean takes its place.");

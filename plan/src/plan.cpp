@@ -79,12 +79,13 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
         const Light& light = lights[candidate.light];
         if (planned.verdict != Verdict::Drawn) continue;
         const SliceConstants constants =
-            sliceConstants(light, view, options, candidate.seen.pose, candidate.seen.volume, candidate.slabs, planned.terms,
-                           candidate.shadowBias, candidate.needed.standIns);
+            sliceConstants(light, view, options, candidate.seen.pose, candidate.seen.volume, candidate.slabs,
+                           planned.terms, candidate.shadowBias, candidate.needed.standIns);
         if (!isFinite(constants))
             return broken(
                 placeOf(light, candidate.light) +
-                ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, density / albedo, "
+                ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, density / "
+                "albedo, "
                 "intensity, ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
         plan.constants.push_back(constants);
         planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
@@ -115,12 +116,7 @@ Result<void> Planner::plan(std::span<const Light> lights, const View& view, cons
         for (const OccluderBox& box : *surroundings.occluders) impl_->occluders.push_back(boundsOf(box));
     impl_->blockers.clear();
     for (const Blocker& blocker : surroundings.blockers) impl_->blockers.push_back(boundsOf(blocker));
-    const PlanContext context{view,
-                              options,
-                              surroundings,
-                              impl_->occluders,
-                              impl_->blockers,
-                              viewSides(view, 1.0)};
+    const PlanContext context{view, options, surroundings, impl_->occluders, impl_->blockers, viewSides(view, 1.0)};
 
     plan.geometry = options.geometry;
     plan.accumulation = options.accumulation;

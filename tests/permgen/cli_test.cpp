@@ -104,41 +104,46 @@ std::string with(const std::string& from, const std::string& to) {
     return text.replace(at, from.size(), to);
 }
 
-TEST_F(Cli, ListsTheEightTechniquesOverOnePixelModule) {
+TEST_F(Cli, ListsTheSixteenTechniquesOverOnePixelModule) {
     const Outcome outcome = permgen(std::string("list --json ") + slices);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(json["effect"], "slices");
-    ASSERT_EQ(json["techniques"].size(), 8u);
+    ASSERT_EQ(json["techniques"].size(), 16u);
     std::size_t seen = 0;
-    for (const char* noise : {"noise", "nonoise"})
-        for (const char* shadow : {"shadow", "noshadow"})
-            for (const char* cookie : {"cookie", "nocookie"}) {
-                const bool with_noise = noise[2] == 'i', with_shadow = shadow[0] == 's', with_cookie = cookie[0] == 'c';
-                const auto& technique = json["techniques"][seen++];
-                EXPECT_EQ(technique["name"], std::string("clip_") + noise + "_" + shadow + "_" + cookie + "_technique");
-                ASSERT_EQ(technique["passes"].size(), 1u);
-                const auto& pass = technique["passes"][0];
-                EXPECT_EQ(pass["vertex"]["module"], "vs_main");
-                EXPECT_EQ(pass["pixel"]["module"], "ps_main");
-                EXPECT_EQ(pass["pixel"]["entry"], "ps_main");
-                const nlohmann::json constants = {
-                    {"bScrollingNoise", with_noise}, {"bShadowMapping", with_shadow}, {"bCookie", with_cookie}};
-                EXPECT_EQ(pass["pixel"]["constants"], constants);
-                nlohmann::json live = {"Globals"};
-                if (with_cookie) live.push_back("CookieSampler");
-                if (with_noise) live.push_back("ScrollingNoiseSampler");
-                if (with_shadow) live.push_back("ShadowMapSampler");
-                EXPECT_EQ(pass["live"], live) << technique["name"];
-                EXPECT_EQ(pass["states"]["DestBlend"], "ONE");
-            }
+    for (const char* scattering : {"", "_scattering"})
+        for (const char* noise : {"noise", "nonoise"})
+            for (const char* shadow : {"shadow", "noshadow"})
+                for (const char* cookie : {"cookie", "nocookie"}) {
+                    const bool with_noise = noise[2] == 'i', with_shadow = shadow[0] == 's',
+                               with_cookie = cookie[0] == 'c';
+                    const auto& technique = json["techniques"][seen++];
+                    EXPECT_EQ(technique["name"],
+                              std::string("clip_") + noise + "_" + shadow + "_" + cookie + scattering + "_technique");
+                    ASSERT_EQ(technique["passes"].size(), 1u);
+                    const auto& pass = technique["passes"][0];
+                    EXPECT_EQ(pass["vertex"]["module"], "vs_main");
+                    EXPECT_EQ(pass["pixel"]["module"], "ps_main");
+                    EXPECT_EQ(pass["pixel"]["entry"], "ps_main");
+                    const nlohmann::json constants = {{"bScrollingNoise", with_noise},
+                                                      {"bShadowMapping", with_shadow},
+                                                      {"bCookie", with_cookie},
+                                                      {"bScattering", *scattering != 0}};
+                    EXPECT_EQ(pass["pixel"]["constants"], constants);
+                    nlohmann::json live = {"Globals"};
+                    if (with_cookie) live.push_back("CookieSampler");
+                    if (with_noise) live.push_back("ScrollingNoiseSampler");
+                    if (with_shadow) live.push_back("ShadowMapSampler");
+                    EXPECT_EQ(pass["live"], live) << technique["name"];
+                    EXPECT_EQ(pass["states"]["DestBlend"], "ONE");
+                }
 }
 
 TEST_F(Cli, SameBytesWhateverTheJobsTheFolderOrTheSecondTime) {
     ASSERT_EQ(permgen(std::string("compile --freeze --jobs 1 -o a ") + slices).status, 0);
     const auto first = files("a");
-    EXPECT_EQ(first.size(), 2u + 16u + 2u);  // modules, frozen stages of eight techniques, manifest and header
+    EXPECT_EQ(first.size(), 2u + 32u + 2u);  // modules, frozen stages of sixteen techniques, manifest and header
     for (const char* options : {"--jobs 2 -o b", "--jobs 8 -o deep/er", "--jobs 2 -o a"}) {
         ASSERT_EQ(permgen(std::string("compile --freeze ") + options + " " + slices).status, 0);
         EXPECT_EQ(files(std::strrchr(options, ' ') + 1), first) << options;

@@ -12,11 +12,11 @@ constexpr const permgen::Technique* full =
     permgen::find_technique(slices::effect, "clip_noise_shadow_cookie_technique");
 
 static_assert(slices::effect.name == "slices");
-static_assert(slices::effect.techniques.size() == 8);
+static_assert(slices::effect.techniques.size() == 16);
 static_assert(slices::effect.modules.size() == 2);
 static_assert(!permgen::find_technique(slices::effect, "none"));
 static_assert(plain->passes[0].pixel.module == full->passes[0].pixel.module);
-static_assert(plain->passes[0].pixel.module->axes.size() == 3);
+static_assert(plain->passes[0].pixel.module->axes.size() == 4);
 static_assert(plain->passes[0].pixel.constants[2].bits == 0 && full->passes[0].pixel.constants[2].bits == 1);
 static_assert(permgen::is_live(plain->passes[0], "Globals") && permgen::is_live(full->passes[0], "Globals"));
 static_assert(!permgen::is_live(plain->passes[0], "CookieSampler"));

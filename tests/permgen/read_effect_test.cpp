@@ -20,7 +20,7 @@ std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
-TEST(ReadEffect, SlicesHasOnePixelModuleAndItsEightSettings) {
+TEST(ReadEffect, SlicesHasOnePixelModuleAndItsSixteenSettings) {
     Diagnostics diagnostics;
     const Lowered lowered = read_effect(slices.string(), {}, diagnostics);
     ASSERT_TRUE(diagnostics.empty()) << format(diagnostics[0]);
@@ -30,20 +30,20 @@ TEST(ReadEffect, SlicesHasOnePixelModuleAndItsEightSettings) {
     ASSERT_EQ(lowered.modules.size(), 2u);
     EXPECT_EQ(lowered.modules[0].author_entry, "vs_main");
     EXPECT_EQ(lowered.modules[1].author_entry, "ps_main");
-    ASSERT_EQ(lowered.techniques.size(), 8u);
-    for (unsigned i = 0; i < 8; ++i) {
-        const bool noise = i < 4, shadow = i % 4 < 2, cookie = i % 2 == 0;
+    ASSERT_EQ(lowered.techniques.size(), 16u);
+    for (unsigned i = 0; i < 16; ++i) {
+        const bool scattering = i >= 8, noise = i % 8 < 4, shadow = i % 4 < 2, cookie = i % 2 == 0;
         const std::string name = std::string("clip_") + (noise ? "noise_" : "nonoise_") +
-                                 (shadow ? "shadow_" : "noshadow_") +
-                                 (cookie ? "cookie_technique" : "nocookie_technique");
+                                 (shadow ? "shadow_" : "noshadow_") + (cookie ? "cookie" : "nocookie") +
+                                 (scattering ? "_scattering" : "") + "_technique";
         EXPECT_EQ(lowered.techniques[i].name, name);
         const LoweredPass& pass = lowered.techniques[i].passes.at(0);
         EXPECT_EQ(pass.vertex.module, 0);
         EXPECT_EQ(pass.pixel.module, 1);
-        ASSERT_EQ(pass.pixel.constants.size(), 3u);
+        ASSERT_EQ(pass.pixel.constants.size(), 4u);
         const std::pair<const char*, bool> expected[] = {
-            {"bScrollingNoise", noise}, {"bShadowMapping", shadow}, {"bCookie", cookie}};
-        for (std::uint32_t c = 0; c < 3; ++c) {
+            {"bScrollingNoise", noise}, {"bShadowMapping", shadow}, {"bCookie", cookie}, {"bScattering", scattering}};
+        for (std::uint32_t c = 0; c < 4; ++c) {
             EXPECT_EQ(pass.pixel.constants[c].name, expected[c].first);
             EXPECT_EQ(pass.pixel.constants[c].id, c);
             EXPECT_EQ(pass.pixel.constants[c].bits, expected[c].second ? 1u : 0u) << name;

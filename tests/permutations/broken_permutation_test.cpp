@@ -86,10 +86,11 @@ TEST_F(BrokenPermutation, AFaultInOneTermIsBlamedOnTheTechniquesThatHaveItAndOnT
 /// slices.fx with one switch more, off in the techniques there were and on in two further ones; and with one more
 /// technique, which says again what another has said.
 std::string withAnAxisMore() {
-    std::string text =
-        replaced(kSlices, "uniform bool bScattering) : COLOR0", "uniform bool bScattering, uniform bool bRed) : COLOR0");
+    std::string text = replaced(kSlices, "uniform bool bScattering) : COLOR0",
+                                "uniform bool bScattering, uniform bool bRed) : COLOR0");
     text = replaced(text, "    return ChannelMask *", "    if (bRed) colour.gb *= 0.25;\n    return ChannelMask *");
-    text = replaced(text, "ps_main(noise, shadow, cookie, scattering)", "ps_main(noise, shadow, cookie, scattering, RED)");
+    text =
+        replaced(text, "ps_main(noise, shadow, cookie, scattering)", "ps_main(noise, shadow, cookie, scattering, RED)");
     return replaced(text, "#define SLICE_TECHNIQUE", "#define RED false\n#define SLICE_TECHNIQUE") +
            "SLICE_TECHNIQUE(added_technique, true, true, true, true)\n#undef RED\n#define RED true\n"
            "SLICE_TECHNIQUE(added_red_technique, true, true, true, true)\n"

@@ -58,9 +58,9 @@ INSTANTIATE_TEST_SUITE_P(SlicesFx, NoiseLawTest, testing::ValuesIn(having({Term:
 
 INSTANTIATE_TEST_SUITE_P(SlicesFx, ScatteringLawTest, testing::ValuesIn(having({Term::Scattering})), LawName());
 
-// What g = 0 and no extinction may leave of a factor of 1, with e = 2^-24: 1 - |g| is 1 and so is the base, exactly; two
-// divisions 5 e each, a root 9 e, three products 3 e, exp(-0) 6 e (3 ulp). And e of the total for each of 16 additions
-// in either picture. 28 + 32 = 60 e.
+// What g = 0 and no extinction may leave of a factor of 1, with e = 2^-24: 1 - |g| is 1 and so is the base, exactly;
+// two divisions 5 e each, a root 9 e, three products 3 e, exp(-0) 6 e (3 ulp). And e of the total for each of 16
+// additions in either picture. 28 + 32 = 60 e.
 constexpr double evenScattering = 60.0 * kFloatEps;
 
 // Two pictures of which one only leaves out a factor of exactly 1.

@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Misfit{"MemberMoved", [](Spoilt& s) { s.members[4].offset += 16; }, "has no constant gClipPlanes where"},
         Misfit{"MemberShrunk", [](Spoilt& s) { s.members[12].size = 12; }, "has no constant gShadow where"},
-        Misfit{"MemberGone", [](Spoilt& s) { s.members.pop_back(); }, "has no constant gShadow where"},
+        Misfit{"MemberGone", [](Spoilt& s) { s.members.pop_back(); }, "has no constant gEye where"},
         Misfit{"MemberMore",
                [](Spoilt& s) {
                    s.members.push_back({"Globals", "gMore", 0, 4});

@@ -157,8 +157,7 @@ Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
     const auto baseAt = [&](double c) { return narrow * narrow + strength * c * c; };
     // 2 e for 1 - |g|, a product each, e for |g|, 4 e for the dot product, a sum: 8 e of a sum of positive terms.
     const Interval base = rounded({baseAt(std::max(0.0, chord - chordError)), baseAt(chord + chordError)}, 8.0);
-    const Interval phase =
-        constant(narrow) / base * (rounded(exactly(1.0 + strength), 2.0) / squareRoot(base));
+    const Interval phase = constant(narrow) / base * (rounded(exactly(1.0 + strength), 2.0) / squareRoot(base));
 
     // Parallel rays: a dot product and a difference of lengths as long as the lamp's depth and its way.
     const double wayError =

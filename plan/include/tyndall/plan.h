@@ -54,21 +54,21 @@ struct PlanOptions {
     Geometry geometry = Geometry::ExactPolygons;
     Accumulation accumulation = Accumulation::Rgba16f;
     Look look = Look::Physical;
-    double time = 0.0;                          ///< seconds; scrolls the noise
-    double range = 1.0;                         ///< radiance that the value 1 of an 8-bit target stands for, > 0;
-                                                ///< float targets hold radiance itself
-    std::uint32_t shadowMapSize = 1024;         ///< texels a side, 1 to 65536, as the caller draws it
-    double shadowBias = 0.0;                    ///< metres along the light's axis, 0 to 1e9; more before blockers
-                                                ///< that the map's texels are too coarse for; at most 0.99 of a light's
-                                                ///< nearPlane takes effect, or points would fall behind the lamp
-    std::optional<TermSet> terms;               ///< draws every light with these, whatever it calls for; a light
-                                                ///< that lacks what its technique reads sees a neutral texture there
-    std::uint32_t pictureHeight = 0;            ///< pixels; for Spacing::Adaptive. 0: as fine as the rest asks for
-    double displayStep = 0.0;                   ///< radiance of the smallest step that the display shows, 0 or more.
-                                                ///< What is too faint to be seen is left out: at each pixel all that
-                                                ///< is left out adds up to a quarter step at most. 0: nothing is
-    bool everything = false;                    ///< leaves nothing out, to compare with: every light is drawn over
-                                                ///< its whole volume with every term. The slabs stay the same
+    double time = 0.0;                   ///< seconds; scrolls the noise
+    double range = 1.0;                  ///< radiance that the value 1 of an 8-bit target stands for, > 0;
+                                         ///< float targets hold radiance itself
+    std::uint32_t shadowMapSize = 1024;  ///< texels a side, 1 to 65536, as the caller draws it
+    double shadowBias = 0.0;             ///< metres along the light's axis, 0 to 1e9; more before blockers
+                                         ///< that the map's texels are too coarse for; at most 0.99 of a light's
+                                         ///< nearPlane takes effect, or points would fall behind the lamp
+    std::optional<TermSet> terms;        ///< draws every light with these, whatever it calls for; a light
+                                         ///< that lacks what its technique reads sees a neutral texture there
+    std::uint32_t pictureHeight = 0;     ///< pixels; for Spacing::Adaptive. 0: as fine as the rest asks for
+    double displayStep = 0.0;            ///< radiance of the smallest step that the display shows, 0 or more.
+                                         ///< What is too faint to be seen is left out: at each pixel all that
+                                         ///< is left out adds up to a quarter step at most. 0: nothing is
+    bool everything = false;             ///< leaves nothing out, to compare with: every light is drawn over
+                                         ///< its whole volume with every term. The slabs stay the same
 };
 
 /// What became of a light.
@@ -118,12 +118,12 @@ struct PlannedLight {
     double brightest = 0.0;  ///< no pixel gets more radiance from it, in its strongest channel; infinite where it
                              ///< was not asked for
     int slices = 0;          ///< that are drawn
-    double nearDepth = 0.0, farDepth = 0.0;        ///< metres of view depth that the volume's slabs span, drawn or not
-    double volumeNear = 0.0, volumeFar = 0.0;      ///< metres along the light's axis: all that its planes leave
-    double seenNear = 0.0, seenFar = 0.0;          ///< of that, what the view can see
-    double firstOccluder = 0.0;                    ///< with Term::Shadow: metres along the axis before which none stands
-    bool divided = false;                          ///< some of its slices are drawn without shadow
-    std::uint32_t firstWall = 0, walls = 0;        ///< into Plan::walls: blockers that end its volume
+    double nearDepth = 0.0, farDepth = 0.0;    ///< metres of view depth that the volume's slabs span, drawn or not
+    double volumeNear = 0.0, volumeFar = 0.0;  ///< metres along the light's axis: all that its planes leave
+    double seenNear = 0.0, seenFar = 0.0;      ///< of that, what the view can see
+    double firstOccluder = 0.0;                ///< with Term::Shadow: metres along the axis before which none stands
+    bool divided = false;                      ///< some of its slices are drawn without shadow
+    std::uint32_t firstWall = 0, walls = 0;    ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
 };
@@ -176,9 +176,10 @@ struct Plan {
 ///
 /// Errors: InvalidArgument where a value breaks the bounds stated in Light, View and PlanOptions, where
 /// any of them is not finite (View::farPlane may be infinite), where the routed format meets a number of
-/// slices that four does not divide, where stretched quads meet more than two extra clip planes, where lights times slices exceed 2^24 (those that are drawn), where surveys
-/// or depth tiles do not have the stated number of entries, where boxes, blockers or depths are no such thing, or where
-/// a light's strength or noise overflows the shader's floats. Lights that would not be drawn are checked too.
+/// slices that four does not divide, where stretched quads meet more than two extra clip planes, where lights times
+/// slices exceed 2^24 (those that are drawn), where surveys or depth tiles do not have the stated number of entries,
+/// where boxes, blockers or depths are no such thing, or where a light's strength or noise overflows the shader's
+/// floats. Lights that would not be drawn are checked too.
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings = {});
 

@@ -3,8 +3,8 @@
 
 #include <tyndall/light.h>
 
-#include "visibility/seen_air.h"
 #include "slabs/slabs.h"
+#include "visibility/seen_air.h"
 
 namespace tyndall {
 

@@ -33,8 +33,7 @@ bool uniform(const FactorRange& range) {
 
 PerTerm<TermVerdict> askedTerms(const Light& light, const PlanOptions& options) {
     // The published picture scatters evenly in clear air.
-    const TermSet asked =
-        options.look == Look::Article ? termsOf(light).without(Term::Scattering) : termsOf(light);
+    const TermSet asked = options.look == Look::Article ? termsOf(light).without(Term::Scattering) : termsOf(light);
     PerTerm<TermVerdict> verdicts;
     for (const Term term : allTerms) {
         TermVerdict& verdict = verdicts[term];

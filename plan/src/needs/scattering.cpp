@@ -60,8 +60,8 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
         longest = std::max(longest, glm::length(toEye[i]));
     }
     // No way from lamp to eye is shorter than the straight one. Parallel rays end at depth 0.
-    const double shortestWay =
-        view.orthographic ? std::max(nearest + air.nearDepth, -lamp.z) : std::max(nearest + air.nearDepth, glm::length(eye));
+    const double shortestWay = view.orthographic ? std::max(nearest + air.nearDepth, -lamp.z)
+                                                 : std::max(nearest + air.nearDepth, glm::length(eye));
     const double longestWay = farthest + (view.orthographic ? air.farDepth : longest);
     const double extinction = light.albedo ? light.density / *light.albedo : 0.0;
 
@@ -69,7 +69,8 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
     const double between = angleBetween(fromLamp.axis, back.axis), spread = fromLamp.halfAngle + back.halfAngle;
     const double sharpest = std::max(between - spread, 0.0), widest = std::min(between + spread, glm::pi<double>());
     const auto [low, high] = std::minmax(phase(light.anisotropy, sharpest), phase(light.anisotropy, widest));
-    return {glm::dvec3(low * std::exp(-extinction * longestWay)), glm::dvec3(high * std::exp(-extinction * shortestWay))};
+    return {glm::dvec3(low * std::exp(-extinction * longestWay)),
+            glm::dvec3(high * std::exp(-extinction * shortestWay))};
 }
 
 double phasePeak(const Light& light) {
