@@ -48,9 +48,9 @@ static_assert(keys::ps_main_key_of(TechniqueId::again) == keys::ps_main_key{fals
 static_assert(!keys::ps_main_key_of(TechniqueId::plain), "no pass of it uses ps_main");
 static_assert(keys::vs_main_key_of(TechniqueId::plain) == keys::vs_main_key{0.1f});
 
-/// The key's bits say which of the eight it is.
+/// The key's bits say which of the sixteen it is.
 constexpr slices::ps_main_key slices_key(unsigned bits) {
-    return {(bits & 1u) != 0, (bits & 2u) != 0, (bits & 4u) != 0};
+    return {(bits & 1u) != 0, (bits & 2u) != 0, (bits & 4u) != 0, (bits & 8u) != 0};
 }
 
 constexpr bool every_key_finds_its_own_technique() {
