@@ -51,7 +51,7 @@ public:
     void entry(const Reflection& actual) const;
 
 private:
-    void fault(const Place& place, const std::string& what) const {
+    void fault(const SourceLocation& place, const std::string& what) const {
         out_.push_back(
             {Severity::Error, "PG056", place.file.empty() ? module_.place : place,
              "entry point '" + module_.author_entry + "': " + what +

@@ -128,11 +128,11 @@ bool is_syntax_error(const Complaint& complaint) {
     return complaint.text == "Expected";
 }
 
-Place author_place(const LoweredModule& module, const Complaint& complaint, const std::optional<Stop>& stop) {
+SourceLocation author_place(const LoweredModule& module, const Complaint& complaint, const std::optional<Stop>& stop) {
     const std::size_t index = static_cast<std::size_t>(complaint.line) - 1;
     if (complaint.line <= 0 || index >= module.line_map.size() || module.line_map[index].file.empty())
         return module.place;
-    Place place = module.line_map[index];
+    SourceLocation place = module.line_map[index];
     std::ifstream file(place.file);
     const std::string author = nth_line(file, place.line);
     std::istringstream text(module.hlsl);

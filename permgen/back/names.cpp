@@ -1,5 +1,7 @@
 #include "back/names.h"
 
+#include "d3d9/states.h"
+
 namespace permgen {
 
 std::string_view scalar_name(ScalarType type) {
@@ -22,6 +24,16 @@ std::string_view kind_name(ResourceKind kind) {
 std::string_view dimension_name(ImageDimension dimension) {
     constexpr std::string_view names[] = {"", "1d", "2d", "3d", "cube"};
     return names[static_cast<int>(dimension)];
+}
+
+std::string_view state_name(StateId id) {
+    return id == StateId::Unknown ? "Unknown" : d3d9::row_of(id).name;
+}
+
+std::string_view value_kind_name(ValueKind kind) {
+    constexpr std::string_view names[] = {"words", "bool",   "enum",   "integer",   "float",
+                                          "flags", "colour", "object", "expression"};
+    return names[static_cast<int>(kind)];
 }
 
 std::string resource_name(ResourceKind kind, ImageDimension dimension) {

@@ -14,6 +14,8 @@ std::string type_name(ScalarType type, std::uint32_t components);        ///< "f
 std::string_view stage_name(Stage stage);                                ///< "vertex", "pixel"
 std::string_view kind_name(ResourceKind kind);                           ///< "uniform-buffer", "combined-image-sampler"
 std::string_view dimension_name(ImageDimension dimension);               ///< "1d", "2d", "3d", "cube"; empty for None
+std::string_view state_name(StateId id);                                 ///< "SrcBlend"
+std::string_view value_kind_name(ValueKind kind);                        ///< "enum", "flags"
 std::string resource_name(ResourceKind kind, ImageDimension dimension);  ///< "uniform block", "sampler2D"
 
 }  // namespace permgen

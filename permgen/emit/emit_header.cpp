@@ -3,6 +3,7 @@
 #include <iterator>
 #include <map>
 
+#include "back/names.h"
 #include "emit/emit.h"
 
 namespace permgen {
@@ -32,6 +33,12 @@ std::string_view kind_enum(ResourceKind kind) {
     return kind == ResourceKind::UniformBuffer ? "UniformBuffer" : "CombinedImageSampler";
 }
 
+std::string_view kind_enum(ValueKind kind) {
+    constexpr std::string_view names[] = {"Words", "Bool",   "Enum",   "Integer",   "Float",
+                                          "Flags", "Colour", "Object", "Expression"};
+    return names[static_cast<int>(kind)];
+}
+
 std::string_view dimension_enum(ImageDimension dimension) {
     constexpr std::string_view names[] = {"None", "One", "Two", "Three", "Cube"};
     return names[static_cast<int>(dimension)];
@@ -57,7 +64,7 @@ private:
     static std::string span_of(const std::string& name, std::size_t count) { return count > 0 ? name : "{}"; }
 
     void code(const std::string& name, const SpirvWords& words);
-    void states(const std::string& name, const std::vector<std::pair<std::string, std::string>>& states);
+    void states(const std::string& name, const std::vector<LoweredState>& states);
     void module(std::size_t index);
     void resources();
     void members();
@@ -83,9 +90,11 @@ void HeaderWriter::code(const std::string& name, const SpirvWords& words) {
     line("}};");
 }
 
-void HeaderWriter::states(const std::string& name, const std::vector<std::pair<std::string, std::string>>& states) {
+void HeaderWriter::states(const std::string& name, const std::vector<LoweredState>& states) {
     if (!open("permgen::State", name, states.size())) return;
-    for (const auto& [state, value] : states) line("    {{{}, {}}},", quoted(state), quoted(value));
+    for (const LoweredState& state : states)
+        line("    {{{}, {}, permgen::StateId::{}, {}u, permgen::ValueKind::{}, 0x{:x}u}},", quoted(state.name),
+             quoted(state.value), state_name(state.id), state.index, kind_enum(state.kind), state.bits);
     line("}};");
 }
 

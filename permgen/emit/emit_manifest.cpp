@@ -10,9 +10,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json states_json(const std::vector<std::pair<std::string, std::string>>& states) {
-    Json list = Json::array();  // an array: the author's order, and a state may be set twice
-    for (const auto& [name, value] : states) list.push_back({{"name", name}, {"value", value}});
+Json states_json(const std::vector<LoweredState>& states) {
+    Json list = Json::array();  // an array keeps the author's order
+    for (const LoweredState& state : states)
+        list.push_back({{"name", state.name},
+                        {"value", state.value},
+                        {"state", state_name(state.id)},
+                        {"index", state.index},
+                        {"kind", value_kind_name(state.kind)},
+                        {"bits", state.bits}});
     return list;
 }
 
@@ -114,7 +120,7 @@ std::string emit_manifest(const Program& program, const EmitOptions& options) {
         for (std::size_t p = 0; p < program.passes[t].size(); ++p) passes.push_back(pass_json(program, options, t, p));
         techniques.push_back({{"name", program.effect.techniques[t].name}, {"passes", std::move(passes)}});
     }
-    const Json manifest = {{"format", 1},
+    const Json manifest = {{"format", 2},
                            {"effect", program.effect.name},
                            {"modules", std::move(modules)},
                            {"resources", std::move(resources)},

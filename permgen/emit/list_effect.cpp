@@ -27,7 +27,7 @@ Json pass_json(const Program& program, std::size_t t, std::size_t p) {
     Json live = Json::array();
     for (const std::size_t index : program.passes[t][p].live) live.push_back(program.effect.resources[index].name);
     Json states = Json::object();
-    for (const auto& [name, value] : pass.states) states[name] = value;
+    for (const LoweredState& state : pass.states) states[state.name] = state.value;
     return {{"name", pass.name},
             {"vertex", shader_json(program, pass.vertex)},
             {"pixel", shader_json(program, pass.pixel)},

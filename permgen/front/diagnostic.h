@@ -7,7 +7,7 @@
 namespace permgen {
 
 /// A place in the author's own text; line and column count from 1, columns in bytes.
-struct Place {
+struct SourceLocation {
     std::string file;
     int line = 0;    ///< 0: the file as a whole
     int column = 0;  ///< 0: the line as a whole
@@ -18,13 +18,14 @@ enum class Severity { Error, Warning, Note };
 struct Diagnostic {
     Severity severity = Severity::Error;
     std::string code;  ///< "PG001"; the list is in docs/diagnostics.md
-    Place place;
+    SourceLocation place;
     std::string message;  ///< what is wrong and what to do
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// "file:line:column: error[PG001]: message", without a newline; parts that are 0 are left out.
+/// "file:line:column: error[PG001]: message"; parts that are 0 are left out. Where the place has a column and
+/// its file can be read, the author's line follows, and below it a caret. No newline at the end.
 std::string format(const Diagnostic& diagnostic);
 
 bool has_errors(const Diagnostics& diagnostics);

@@ -82,8 +82,10 @@ struct Function {
 };
 
 struct StateAssignment {
-    std::string name;  ///< "MinFilter", "ColorOp[0]"
-    std::string value;
+    std::string name;   ///< "MinFilter", "ColorOp[0]"
+    std::string value;  ///< single words in upper case, <name> and (name) without their brackets
+    TokenRange index;   ///< what stands between the brackets behind the name
+    TokenRange words;   ///< the value
     TokenRange range;
     Location at;
 };

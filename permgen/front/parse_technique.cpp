@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 
+#include "d3d9/profiles.h"
+#include "d3d9/states.h"
 #include "front/nearest.h"
 #include "front/parse_declaration.h"
 #include "front/report.h"
@@ -16,20 +19,25 @@ std::string upper(std::string text) {
     return text;
 }
 
-// `vs_1_1`, `ps_2_a`, `vs_3_sw`, `ps_4_0_level_9_1`: permgen compiles all of them alike, so that only the stage
-// and the look of a profile matter.
-bool is_profile(std::string_view word, std::string_view stage) {
-    return word.size() > 5 && word.substr(0, 3) == stage && std::isdigit(static_cast<unsigned char>(word[3])) &&
-           word[4] == '_';
+void check_profile(ParseCursor& cursor, const Token& word, bool vertex, const std::string& state) {
+    const std::span<const std::string_view> profiles =
+        vertex ? std::span<const std::string_view>(d3d9::vertex_profiles) : d3d9::pixel_profiles;
+    if (std::any_of(profiles.begin(), profiles.end(), [&](auto profile) { return same_word(profile, word.text); }))
+        return;
+    // The other stage's profile is near in letters and far from what is meant.
+    const std::string_view stage = vertex ? "vs_" : "ps_";
+    const bool other_stage = same_word(word.text.substr(0, 3), vertex ? "ps_" : "vs_");
+    cursor.fail("PG024", word.at,
+                quoted(word) + " is no profile for a " + state +
+                    (other_stage ? "; write " + std::string(stage) + "3_0"
+                                 : suggestion(word.text, profiles, "; did you mean '", "'?")));
 }
 
 Compile parse_compile(ParseCursor& cursor, std::string_view stage, const std::string& state) {
     Compile compile;
     compile.at = cursor.take().at;
     const Token& profile = cursor.expect_identifier("a profile such as " + std::string(stage) + "3_0 behind 'compile'");
-    if (!is_profile(profile.text, stage))
-        cursor.fail("PG024", profile.at,
-                    quoted(profile) + " is no profile for a " + state + "; write " + std::string(stage) + "3_0");
+    check_profile(cursor, profile, stage == "vs_", state);
     compile.profile = profile.text;
     const Token& entry = cursor.expect_identifier("the entry point's name behind the profile");
     compile.entry = entry.text;
@@ -55,15 +63,6 @@ std::string state_value_text(const ParseCursor& cursor, TokenRange range) {
     return words ? upper(text) : text;
 }
 
-std::string parse_state_name(ParseCursor& cursor, const std::string& where) {
-    std::string name(cursor.expect_identifier("a state's name or '}' in " + where).text);
-    if (cursor.is("[")) {
-        const TokenRange index = cursor.skip_brackets();
-        name += '[' + text_of(cursor.effect, index) + ']';
-    }
-    return name;
-}
-
 TokenRange parse_state_value(ParseCursor& cursor, const std::string& name) {
     const TokenRange value = cursor.skip_to(";}", "the value of '" + name + "'");
     if (value.empty()) cursor.fail("PG020", cursor.peek().at, "expected a value for '" + name + "'");
@@ -72,6 +71,26 @@ TokenRange parse_state_value(ParseCursor& cursor, const std::string& name) {
             cursor.fail("PG020", cursor.effect.tokens[i].at, "a ';' is missing after the value of '" + name + "'");
     cursor.expect(";", "after the value of '" + name + "'");
     return value;
+}
+
+StateAssignment begin_state(ParseCursor& cursor, const std::string& where) {
+    StateAssignment state;
+    state.at = cursor.peek().at;
+    state.range.begin = cursor.at;
+    state.name = cursor.expect_identifier("a state's name or '}' in " + where).text;
+    if (cursor.is("[")) {
+        state.index = cursor.skip_brackets();
+        if (state.index.empty()) cursor.fail("PG020", state.at, "expected an index in '" + state.name + "[]'");
+        state.name += '[' + text_of(cursor.effect, state.index) + ']';
+    }
+    cursor.expect("=", "after '" + state.name + "'");
+    return state;
+}
+
+void finish_state(ParseCursor& cursor, StateAssignment& state) {
+    state.words = parse_state_value(cursor, state.name);
+    state.value = state_value_text(cursor, state.words);
+    state.range.end = cursor.at;
 }
 
 void parse_shader_state(ParseCursor& cursor, ParsedPass& pass, bool vertex, const std::string& name, Location at) {
@@ -110,11 +129,7 @@ ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
     while (!cursor.is("}")) {
         if (cursor.done()) cursor.fail("PG021", pass.at, where + " has no closing '}'");
         if (cursor.take_if(";")) continue;
-        StateAssignment state;
-        state.at = cursor.peek().at;
-        state.range.begin = cursor.at;
-        state.name = parse_state_name(cursor, where);
-        cursor.expect("=", "after '" + state.name + "'");
+        StateAssignment state = begin_state(cursor, where);
         const bool vertex = same_word(state.name, "VertexShader");
         if (vertex || same_word(state.name, "PixelShader")) {
             parse_shader_state(cursor, pass, vertex, vertex ? "VertexShader" : "PixelShader", state.at);
@@ -126,8 +141,7 @@ ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
                 "PG026", state.at,
                 "'" + state.name + "' takes no shader" + suggestion(state.name, words, "; did you mean '", "'?"));
         }
-        state.value = state_value_text(cursor, parse_state_value(cursor, state.name));
-        state.range.end = cursor.at;
+        finish_state(cursor, state);
         pass.states.push_back(std::move(state));
     }
     cursor.take();
@@ -146,9 +160,7 @@ ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
 }  // namespace
 
 bool same_word(std::string_view a, std::string_view b) {
-    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
-               return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-           });
+    return d3d9::same_word(a, b);
 }
 
 void parse_technique(ParseCursor& cursor) {
@@ -245,13 +257,8 @@ void parse_samplers(ParseCursor& cursor) {
             while (!cursor.is("}")) {
                 if (cursor.done()) cursor.fail("PG021", sampler.at, where + " has no closing '}'");
                 if (cursor.take_if(";")) continue;
-                StateAssignment state;
-                state.at = cursor.peek().at;
-                state.range.begin = cursor.at;
-                state.name = parse_state_name(cursor, where);
-                cursor.expect("=", "after '" + state.name + "'");
-                state.value = state_value_text(cursor, parse_state_value(cursor, state.name));
-                state.range.end = cursor.at;
+                StateAssignment state = begin_state(cursor, where);
+                finish_state(cursor, state);
                 sampler.states.push_back(std::move(state));
             }
             cursor.take();

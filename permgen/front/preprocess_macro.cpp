@@ -91,7 +91,7 @@ private:
 
     Token built_in(const Token& name) {
         Token token = name;
-        const Place place = context_.sources.place(name.at);
+        const SourceLocation place = context_.sources.place(name.at);
         if (name.text == "__LINE__") {
             token.kind = TokenKind::Number;
             token.text = context_.sources.keep(std::to_string(place.line));

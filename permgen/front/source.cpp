@@ -20,8 +20,8 @@ std::string_view Sources::keep(std::string spelling) {
     return spellings.back();
 }
 
-Place Sources::place(Location location) const {
-    Place place;
+SourceLocation Sources::place(Location location) const {
+    SourceLocation place;
     if (location.file >= 0) place.file = names[static_cast<std::size_t>(location.file)];
     place.line = location.line;
     place.column = location.column;

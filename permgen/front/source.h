@@ -12,7 +12,7 @@
 
 namespace permgen {
 
-/// A Place, compact: there is one in every token. `file` indexes Sources::names.
+/// A SourceLocation, compact: there is one in every token. `file` indexes Sources::names.
 struct Location {
     std::int32_t file = -1;
     std::int32_t line = 0;
@@ -42,7 +42,7 @@ struct Sources {
 
     std::int32_t name_index(std::string_view name);
     std::string_view keep(std::string spelling);
-    Place place(Location location) const;
+    SourceLocation place(Location location) const;
 };
 
 /// Largest file that is read, in bytes. Effects are a few hundred kilobytes at most; the limit stops a wrong

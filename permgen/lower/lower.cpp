@@ -5,6 +5,7 @@
 #include <set>
 
 #include "front/report.h"
+#include "lower/lower_states.h"
 #include "lower/lower_wrapper.h"
 
 namespace permgen {
@@ -13,13 +14,14 @@ namespace {
 class Lowering {
 public:
     Lowering(const ParsedEffect& effect, const Sources& sources, Diagnostics& diagnostics)
-        : effect_(effect), sources_(sources), diagnostics_(diagnostics) {}
+        : effect_(effect), sources_(sources), diagnostics_(diagnostics), states_(effect, sources, diagnostics) {}
 
     Lowered run() {
         check_names();
         for (const ParsedTechnique& technique : effect_.techniques) lower_technique(technique);
         const SamplerDimensions dimensions = infer_sampler_dimensions(effect_, sources_, diagnostics_);
         const LoweredText author = author_text(effect_, sources_, dimensions, lowered_.resources, diagnostics_);
+        lower_samplers();
         if (has_errors(diagnostics_)) return std::move(lowered_);
         widen_varyings();
         LocationTable locations;
@@ -75,6 +77,12 @@ private:
                   "the effect has no technique; add technique NAME { pass NAME { ... } }");
     }
 
+    void lower_samplers() {
+        for (const Sampler& sampler : effect_.samplers)
+            for (LoweredResource& resource : lowered_.resources)
+                if (resource.name == sampler.name) resource.sampler_states = states_.sampler_states(sampler.states);
+    }
+
     void lower_technique(const ParsedTechnique& technique) {
         LoweredTechnique result;
         result.name = technique.name;
@@ -83,7 +91,7 @@ private:
             LoweredPass lowered;
             lowered.name = pass.name;
             lowered.place = sources_.place(pass.at);
-            for (const StateAssignment& state : pass.states) lowered.states.emplace_back(state.name, state.value);
+            lowered.states = states_.pass_states(pass.states);
             if (pass.vertex) lowered.vertex = lower_shader(*pass.vertex, Stage::Vertex);
             if (pass.pixel) lowered.pixel = lower_shader(*pass.pixel, Stage::Pixel);
             result.passes.push_back(std::move(lowered));
@@ -125,6 +133,7 @@ private:
     const ParsedEffect& effect_;
     const Sources& sources_;
     Diagnostics& diagnostics_;
+    StateChecker states_;
     Lowered lowered_;
     std::vector<EntryPoint> entries_;
     std::map<std::string, int> modules_;

@@ -47,7 +47,7 @@ struct InterfaceSlot {
     bool point_size = false;
     bool absent = false;        ///< no stage hands it over (PSIZE to a pixel shader): reads as 0
     std::string interpolation;  ///< "centroid ", "nointerpolation ", ...
-    Place place;
+    SourceLocation place;
 
     /// The semantic's canonical text, see LoweredAttribute::semantic.
     std::string canonical() const;

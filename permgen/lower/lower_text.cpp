@@ -95,8 +95,6 @@ private:
             const Sampler& sampler = effect_.samplers[s];
             add_resource(sampler.name, ResourceKind::CombinedImageSampler, dimensions_.samplers[s], binding++,
                          sampler.at);
-            for (const StateAssignment& state : sampler.states)
-                resources_.back().sampler_states.emplace_back(state.name, state.value);
         }
         for (const ConstantBuffer& buffer : effect_.constant_buffers)
             add_resource(buffer.name, ResourceKind::UniformBuffer, ImageDimension::None, binding++, buffer.at);
@@ -232,7 +230,7 @@ std::string hlsl_text(const ParsedEffect& effect, TokenRange range) {
     return text;
 }
 
-void add_line(LoweredText& text, std::string_view line, Place place) {
+void add_line(LoweredText& text, std::string_view line, SourceLocation place) {
     end_line(text);
     text.hlsl += line;
     text.hlsl += '\n';

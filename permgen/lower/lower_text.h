@@ -13,9 +13,9 @@ namespace permgen {
 
 struct LoweredText {
     std::string hlsl;
-    std::vector<Place> line_map;  ///< one for each line of `hlsl`
-    Location line;                ///< author's line being written; file -1: none
-    Location behind;              ///< where the last token ends in the author's text
+    std::vector<SourceLocation> line_map;  ///< one for each line of `hlsl`
+    Location line;                         ///< author's line being written; file -1: none
+    Location behind;                       ///< where the last token ends in the author's text
 };
 
 /// Words that glslang keeps for itself where D3D9 HLSL lets authors use them as names, such as `point`; they
@@ -29,7 +29,7 @@ std::string hlsl_name(std::string_view name);
 std::string hlsl_text(const ParsedEffect& effect, TokenRange range);
 
 /// Appends one generated line. `place` is where a complaint about it belongs in the author's text, if anywhere.
-void add_line(LoweredText& text, std::string_view line, Place place = {});
+void add_line(LoweredText& text, std::string_view line, SourceLocation place = {});
 
 /// What every module of the effect begins with: the author's program without what D3DX added to HLSL, loose
 /// uniforms gathered in `cbuffer Globals`, every resource with its binding. Appends the resources.

@@ -25,7 +25,7 @@ struct LoweredAxis {
     std::uint32_t id;  ///< constant_id, from 0 in parameter order
     ScalarType type;
     std::uint32_t default_bits;  ///< the parameter's own default value where written, else 0
-    Place place;
+    SourceLocation place;
 };
 
 /// One input or output of an entry point, after semantics were resolved.
@@ -35,7 +35,17 @@ struct LoweredAttribute {
     std::uint32_t location = 0;
     std::uint32_t components = 4;
     ScalarType type = ScalarType::Float;
-    Place place;
+    SourceLocation place;
+};
+
+/// A state that a pass or a sampler sets.
+struct LoweredState {
+    std::string name;   ///< Direct3D 9's spelling: "MinFilter", "ColorOp[0]"
+    std::string value;  ///< the author's words
+    StateId id = StateId::Unknown;
+    std::uint32_t index = 0;  ///< of ColorOp[0] and the like
+    ValueKind kind = ValueKind::Words;
+    std::uint32_t bits = 0;
 };
 
 struct LoweredResource {
@@ -44,8 +54,8 @@ struct LoweredResource {
     ImageDimension dimension = ImageDimension::None;
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
-    std::vector<std::pair<std::string, std::string>> sampler_states;  ///< {"MinFilter", "LINEAR"}, author's order
-    Place place;
+    std::vector<LoweredState> sampler_states;
+    SourceLocation place;
 };
 
 /// One entry point to compile. Equal entries of several techniques share one.
@@ -56,11 +66,11 @@ struct LoweredModule {
     Stage stage;
     std::string profile;  ///< "ps_3_0", as written
     std::string hlsl;
-    std::vector<Place> line_map;  ///< the author's place of each line of `hlsl`; file empty: generated
+    std::vector<SourceLocation> line_map;  ///< the author's place of each line of `hlsl`; file empty: generated
     std::vector<LoweredAxis> axes;
     std::vector<LoweredAttribute> inputs;
     std::vector<LoweredAttribute> outputs;
-    Place place;  ///< of the entry function
+    SourceLocation place;  ///< of the entry function
 };
 
 struct LoweredConstant {
@@ -73,21 +83,21 @@ struct LoweredConstant {
 struct LoweredShader {
     int module = -1;  ///< index into Lowered::modules; -1: the pass has no such stage
     std::vector<LoweredConstant> constants;
-    Place place;  ///< of the `compile` expression
+    SourceLocation place;  ///< of the `compile` expression
 };
 
 struct LoweredPass {
     std::string name;
     LoweredShader vertex;
     LoweredShader pixel;
-    std::vector<std::pair<std::string, std::string>> states;
-    Place place;
+    std::vector<LoweredState> states;
+    SourceLocation place;
 };
 
 struct LoweredTechnique {
     std::string name;
     std::vector<LoweredPass> passes;
-    Place place;
+    SourceLocation place;
 };
 
 struct Lowered {

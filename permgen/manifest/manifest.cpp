@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "d3d9/states.h"
 #include "fault.h"
 #include "json_node.h"
 #include "spirv_file.h"
@@ -11,7 +12,7 @@
 namespace permgen {
 namespace {
 
-constexpr std::uint32_t known_format = 1;
+constexpr std::uint32_t known_format = 2;
 constexpr std::string_view manifest_ending = ".fx.json";
 
 constexpr NamedValue<ScalarType> scalars[] = {
@@ -19,6 +20,11 @@ constexpr NamedValue<ScalarType> scalars[] = {
 constexpr NamedValue<Stage> stages[] = {{"vertex", Stage::Vertex}, {"pixel", Stage::Pixel}};
 constexpr NamedValue<ResourceKind> kinds[] = {{"uniform-buffer", ResourceKind::UniformBuffer},
                                               {"combined-image-sampler", ResourceKind::CombinedImageSampler}};
+constexpr NamedValue<ValueKind> value_kinds[] = {
+    {"bool", ValueKind::Bool},       {"enum", ValueKind::Enum},
+    {"integer", ValueKind::Integer}, {"float", ValueKind::Float},
+    {"flags", ValueKind::Flags},     {"colour", ValueKind::Colour},
+    {"object", ValueKind::Object},   {"expression", ValueKind::Expression}};
 constexpr NamedValue<ImageDimension> dimensions[] = {{"1d", ImageDimension::One},
                                                      {"2d", ImageDimension::Two},
                                                      {"3d", ImageDimension::Three},
@@ -35,6 +41,7 @@ private:
     std::string_view text(const JsonNode& node) { return storage_.keep(node.text()); }
     std::span<const std::uint32_t> code(const JsonNode& file);
     std::span<const State> states(const JsonNode& list);
+    State state(const JsonNode& node);
     Constant constant(const JsonNode& node);
     Module module(const JsonNode& node);
     Resource resource(const JsonNode& node);
@@ -76,9 +83,21 @@ std::span<const std::uint32_t> Loader::code(const JsonNode& node) {
 }
 
 std::span<const State> Loader::states(const JsonNode& list) {
-    std::vector<State> states;
-    for (const JsonNode& state : list.items()) states.push_back({text(state["name"]), text(state["value"])});
-    return storage_.keep(std::move(states));
+    return table(list, &Loader::state);
+}
+
+State Loader::state(const JsonNode& node) {
+    const d3d9::StateRow* row = d3d9::find_state(node["state"].text());
+    if (!row) node["state"].fail("'" + node["state"].text() + "' is no state of Direct3D 9");
+    const State state{
+        text(node["name"]),   text(node["value"]), row->id, node["index"].number(), node["kind"].word(value_kinds),
+        node["bits"].number()};
+    if (state.kind != row->kind && state.kind != ValueKind::Expression)
+        node["kind"].fail("'" + std::string(row->name) + "' has no value of the kind '" + node["kind"].text() + "'");
+    const bool named = state.kind == ValueKind::Enum || state.kind == ValueKind::Bool;
+    if (named && !d3d9::find_value(*row, state.bits))
+        node["bits"].fail("'" + std::string(row->name) + "' has no value " + std::to_string(state.bits));
+    return state;
 }
 
 Constant Loader::constant(const JsonNode& node) {

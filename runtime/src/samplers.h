@@ -10,7 +10,7 @@
 namespace tyndall {
 
 /// What `states` amount to, on top of Direct3D 9's defaults (point filtering, no mip levels, wrapping).
-/// Names compare without case; of two settings of a state the later counts. `Texture` names what the
+/// Of two settings of a state the later counts. `Texture` names what the
 /// caller binds and says nothing about the sampler.
 /// Errors: InvalidArgument naming the state, or the value, that has no meaning here.
 Result<VkSamplerCreateInfo> samplerInfo(std::span<const permgen::State> states);

@@ -19,8 +19,8 @@ struct PassStates {
 };
 
 /// What `states` amount to, on top of Direct3D 9's defaults (opaque, depth tested and written, back faces
-/// culled). Names compare without case; of two settings of a state the later counts. States of the
-/// fixed-function pipeline are accepted where they switch it off.
+/// culled). Of two settings of a state the later counts. States without effect are left alone, and permgen
+/// warns of them; a state that every draw has one value of (permgen/d3d9/states.h) may have that one.
 /// Errors: InvalidArgument naming the state, or the value, that has no meaning here.
 Result<PassStates> passStates(std::span<const permgen::State> states);
 

@@ -243,8 +243,12 @@ INSTANTIATE_TEST_SUITE_P(
               "^good\\.fx:16:[0-9]+: error\\[PG0[0-9]+\\]: .*ps_main"},
         Wrong{"MissingInclude", "sampler2D Map;", "#include \"nowhere.fxh\"\nsampler2D Map;",
               "^good\\.fx:2:[0-9]+: error\\[PG0[0-9]+\\]: .*nowhere\\.fxh"},
+        Wrong{"MistypedState", "PixelShader", "AlphaBlendEnabel = TRUE; PixelShader",
+              "error\\[PG043\\]: 'AlphaBlendEnabel' is no state of Direct3D 9; did you mean 'AlphaBlendEnable'\\?\n"
+              ".*AlphaBlendEnabel = TRUE;.*\n *\\^\n$"},
         Wrong{"UnknownName", "float4(uv, 0.0, 1.0)", "float4(uv, depth, 1.0)",
-              "^good\\.fx:13:47: error\\[PG050\\]: 'depth': unknown variable\n$"},
+              "^good\\.fx:13:47: error\\[PG050\\]: 'depth': unknown variable\n"
+              "    return bMap . tex2D\\(Map, uv\\) : float4\\(uv, depth, 1.0\\);\n {46}\\^\n$"},
         Wrong{"SyntaxError", "return o;", "return o",
               "^good\\.fx:10: error\\[PG050\\]: syntax error: expected ';' here or on the line before\n$"},
         Wrong{"CompilerCrash", "return bMap", "case 1: return bMap",
@@ -260,7 +264,10 @@ TEST_F(Cli, AMistakeInAnIncludedFileIsToldThere) {
     put("good.fx", "#include \"tint.fxh\"\n" + with("0.0, 1.0", "tint(uv.x), 1.0"));
     const Outcome outcome = permgen("list good.fx");
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, "tint.fxh:4:16: error[PG050]: 'gLevel': unknown variable\n");
+    EXPECT_EQ(outcome.err,
+              "tint.fxh:4:16: error[PG050]: 'gLevel': unknown variable\n"
+              "    return x * gLevel;\n"
+              "               ^\n");
 }
 
 class WrongCommandLine : public Cli, public testing::WithParamInterface<const char*> {};

@@ -83,6 +83,10 @@ TEST(Manifest, SaysWhatTheEffectIs) {
     EXPECT_EQ(pass["pixel"]["constants"][1]["value"], true);
     EXPECT_EQ(pass["live"], nlohmann::json({"Globals", "CookieSampler"}));
     EXPECT_EQ(pass["states"][0]["name"], "SrcBlend");
+    EXPECT_EQ(pass["states"][0]["state"], "SrcBlend");
+    EXPECT_EQ(pass["states"][0]["kind"], "enum");
+    EXPECT_EQ(pass["states"][0]["bits"], 2);
+    EXPECT_EQ(pass["states"][0]["index"], 0);
 }
 
 TEST(Manifest, NoFrozenFilesWithoutFreeze) {
@@ -128,12 +132,16 @@ TEST(List, TheTableHasALineAPass) {
               "patterned  p0    vs_main()  ps_main(false, true)   Globals, CookieSampler\n");
 }
 
-TEST(Header, StringsAreEscaped) {
+TEST(Header, StatesAreTypedAndStringsEscaped) {
     Program program = small();
-    program.effect.techniques[0].passes[0].states = {{"A",
+    program.effect.techniques[0].passes[0].states = {{"ColorOp[1]",
                                                       "a\"b\\c\n\xc3\xa4"
-                                                      "9"}};
-    EXPECT_NE(emit_header(program, {"small", false}).find(R"({"A", "a\"b\\c\012\303\2449"},)"), std::string::npos);
+                                                      "9",
+                                                      StateId::ColorOp, 1, ValueKind::Enum, 7}};
+    EXPECT_NE(emit_header(program, {"small", false})
+                  .find(R"({"ColorOp[1]", "a\"b\\c\012\303\2449", )"
+                        "permgen::StateId::ColorOp, 1u, permgen::ValueKind::Enum, 0x7u},"),
+              std::string::npos);
 }
 
 TEST(Header, AFrozenModuleThatPassesShareIsThereOnce) {

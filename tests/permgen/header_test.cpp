@@ -22,6 +22,9 @@ static_assert(permgen::is_live(plain->passes[0], "Globals") && permgen::is_live(
 static_assert(!permgen::is_live(plain->passes[0], "CookieSampler"));
 static_assert(permgen::is_live(full->passes[0], "CookieSampler"));
 static_assert(permgen::state_value(plain->passes[0], "DestBlend", "ZERO") == "ONE");
+static_assert(permgen::find_state(plain->passes[0], permgen::StateId::DestBlend)->bits ==
+              static_cast<std::uint32_t>(permgen::Blend::One));
+static_assert(!permgen::find_state(plain->passes[0], permgen::StateId::FogEnable));
 static_assert(permgen::find_member(slices::effect, "gClipPlanes")->size == 8 * 16);
 static_assert(permgen::find_resource(slices::effect, "Globals")->size >= 8 * 16 + 2 * 64);
 static_assert(permgen::find_resource(slices::effect, "ShadowMapSampler")->dimension == permgen::ImageDimension::Two);

@@ -359,7 +359,7 @@ TEST(Lower, BindingsAreUniformsThenSamplersThenBuffers) {
     EXPECT_EQ(resources[1].dimension, ImageDimension::Three);
     EXPECT_EQ(resources[2].dimension, ImageDimension::Cube);
     ASSERT_EQ(resources[2].sampler_states.size(), 1u);
-    EXPECT_EQ(resources[2].sampler_states[0].second, "POINT");
+    EXPECT_EQ(resources[2].sampler_states[0].value, "POINT");
 }
 
 TEST(Lower, UntypedSamplersGetTheDimensionThatCallsGiveThem) {

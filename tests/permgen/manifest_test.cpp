@@ -40,6 +40,10 @@ void same_constant(const Constant& a, const Constant& b) {
 void same_state(const State& a, const State& b) {
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.value, b.value);
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.index, b.index);
+    EXPECT_EQ(a.kind, b.kind);
+    EXPECT_EQ(a.bits, b.bits);
 }
 
 void same_attribute(const Attribute& a, const Attribute& b) {
@@ -269,7 +273,7 @@ TEST_P(DamagedManifest, IsRefusedWithThePlace) {
 INSTANTIATE_TEST_SUITE_P(
     All, DamagedManifest,
     testing::Values(
-        Damage{"OtherFormat", "/format", 2, "format: this is format 2, and only 1 is known here"},
+        Damage{"OtherFormat", "/format", 1, "format: this is format 1, and only 2 is known here"},
         Damage{"FormatAsText", "/format", "1", "format: a whole number"},
         Damage{"NoModules", "/modules", erased, ": the field 'modules' is missing"},
         Damage{"ModulesAsObject", "/modules", Json::object(), "modules: an array was expected, and this is object"},
@@ -302,6 +306,13 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"UnknownLive", "/techniques/1/passes/1/live/0", "Earth",
                "techniques[1].passes[1].live[0]: there is no resource 'Earth'"},
         Damage{"NoPixel", "/techniques/1/passes/0/pixel", erased, "passes[0]: the field 'pixel' is missing"},
+        Damage{"UnknownState", "/techniques/0/passes/0/states/0/state", "CulMode",
+               "states[0].state: 'CulMode' is no state of Direct3D 9"},
+        Damage{"StateWithoutIndex", "/techniques/0/passes/0/states/0/index", erased, "the field 'index' is missing"},
+        Damage{"UnknownValueKind", "/techniques/0/passes/0/states/0/kind", "word", "states[0].kind: 'word' is none of"},
+        Damage{"WrongValueKind", "/techniques/0/passes/0/states/0/kind", "float",
+               "states[0].kind: 'CullMode' has no value of the kind 'float'"},
+        Damage{"UnknownValue", "/techniques/0/passes/0/states/0/bits", 9, "states[0].bits: 'CullMode' has no value 9"},
         Damage{"StateWithoutValue", "/techniques/0/passes/0/states/0/value", erased, "the field 'value' is missing"}),
     [](const auto& damage) { return std::string(damage.param.name); });
 

@@ -50,7 +50,8 @@ TEST(ReadEffect, SlicesHasOnePixelModuleAndItsSixteenSettings) {
             EXPECT_EQ(pass.pixel.constants[c].bits, expected[c].second ? 1u : 0u) << name;
         }
         ASSERT_EQ(pass.states.size(), 7u);
-        EXPECT_EQ(pass.states[1], (std::pair<std::string, std::string>("SrcBlend", "ONE")));
+        EXPECT_EQ(pass.states[1].id, StateId::SrcBlend);
+        EXPECT_EQ(pass.states[1].bits, static_cast<std::uint32_t>(Blend::One));
     }
 }
 

@@ -39,8 +39,8 @@ constexpr const char* pixel_body = R"(    float4 c = gTint[1] * gGain;
     return c;
 )";
 
-std::vector<Place> places_of(const std::string& text) {
-    std::vector<Place> places;
+std::vector<SourceLocation> places_of(const std::string& text) {
+    std::vector<SourceLocation> places;
     const int lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
     for (int line = 1; line <= lines; ++line) places.push_back({"small.fx", line, 0});
     return places;
@@ -71,7 +71,8 @@ Lowered small_effect() {
          ImageDimension::Two,
          0,
          1,
-         {{"MinFilter", "LINEAR"}, {"AddressU", "CLAMP"}},
+         {{"MinFilter", "LINEAR", StateId::MinFilter, 0, ValueKind::Enum, 2},
+          {"AddressU", "CLAMP", StateId::AddressU, 0, ValueKind::Enum, 3}},
          {"small.fx", 8, 1}},
         {"NoiseSampler", ResourceKind::CombinedImageSampler, ImageDimension::Three, 0, 2, {}, {"small.fx", 9, 1}}};
 
@@ -96,7 +97,8 @@ Lowered small_effect() {
         LoweredPass p{
             "p0", {0, {}, {"small.fx", line, 30}}, {1, {}, {"small.fx", line, 60}}, {}, {"small.fx", line, 1}};
         p.pixel.constants = {{"bNoise", 0, ScalarType::Bool, noise}, {"bCookie", 1, ScalarType::Bool, cookie}};
-        p.states = {{"SrcBlend", "ONE"}, {"DestBlend", "ONE"}};
+        p.states = {{"SrcBlend", "ONE", StateId::SrcBlend, 0, ValueKind::Enum, 2},
+                    {"DestBlend", "ONE", StateId::DestBlend, 0, ValueKind::Enum, 2}};
         return p;
     };
     effect.techniques = {{"plain", {pass(0, 0, 40)}, {"small.fx", 40, 1}},

@@ -5,6 +5,8 @@
 // it costs nothing at start-up and can be read at compile time.
 #pragma once
 
+#include <permgen/states.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,11 +33,14 @@ enum class ResourceKind : std::uint8_t { UniformBuffer, CombinedImageSampler };
 /// The dimensionality of a sampler's image; None for a buffer.
 enum class ImageDimension : std::uint8_t { None, One, Two, Three, Cube };
 
-/// A state assignment as the author wrote it, e.g. {"SrcBlend", "ONE"}. Names keep D3D9's spelling,
-/// values are upper-cased identifiers or literals.
+/// A state that a pass or a sampler sets, e.g. SrcBlend = ONE. Each state is there once.
 struct State {
-    std::string_view name;
-    std::string_view value;
+    std::string_view name;   ///< in Direct3D 9's spelling, with its index: "SrcBlend", "ColorOp[0]"
+    std::string_view value;  ///< the author's words: names in upper case, literals as written
+    StateId id = StateId::Unknown;
+    std::uint32_t index = 0;  ///< of a state that has one
+    ValueKind kind = ValueKind::Words;
+    std::uint32_t bits = 0;  ///< what `kind` says
 };
 
 struct Resource {
@@ -44,7 +49,7 @@ struct Resource {
     ImageDimension dimension;
     std::uint32_t set;
     std::uint32_t binding;
-    std::uint32_t size;  ///< bytes of a uniform block, 0 for a sampler
+    std::uint32_t size;                     ///< bytes of a uniform block, 0 for a sampler
     std::span<const State> sampler_states;  ///< {"MinFilter", "LINEAR"} and so on; empty for a buffer
 };
 
@@ -69,15 +74,15 @@ struct Module {
     std::string_view name;   ///< unique in the effect; its file is EFFECT.NAME.spv
     std::string_view entry;  ///< entry point's name in the SPIR-V
     Stage stage;
-    std::span<const std::uint32_t> code;       ///< SPIR-V words
-    std::span<const Constant> axes;            ///< its specialization constants, with their defaults
-    std::span<const Attribute> attributes;     ///< inputs of a vertex module, outputs of a pixel module
+    std::span<const std::uint32_t> code;    ///< SPIR-V words
+    std::span<const Constant> axes;         ///< its specialization constants, with their defaults
+    std::span<const Attribute> attributes;  ///< inputs of a vertex module, outputs of a pixel module
 };
 
 /// A module with its switches set.
 struct Shader {
-    const Module* module;  ///< nullptr: the pass has no such stage
-    std::span<const Constant> constants;  ///< one for every axis of the module, in the axes' order
+    const Module* module;                   ///< nullptr: the pass has no such stage
+    std::span<const Constant> constants;    ///< one for every axis of the module, in the axes' order
     std::span<const std::uint32_t> frozen;  ///< the specialized, dead-code-free module; empty unless --freeze
 };
 
@@ -120,6 +125,13 @@ constexpr const Resource* find_resource(const Effect& effect, std::string_view n
 constexpr const Member* find_member(const Effect& effect, std::string_view name) {
     for (const Member& member : effect.members)
         if (member.name == name) return &member;
+    return nullptr;
+}
+
+/// The pass's setting of a state without index, or nullptr where it has none.
+constexpr const State* find_state(const Pass& pass, StateId id) {
+    for (const State& state : pass.states)
+        if (state.id == id) return &state;
     return nullptr;
 }
 
