@@ -57,10 +57,10 @@ void add_source_options(CLI::App& command, Options& options) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->check(CLI::Validator(check_define, ""));
-    constexpr int most_jobs = 1024;
+    constexpr int max_jobs = 1024;
     command.add_option("--jobs", options.jobs, "how many entry points to compile at a time; default: processors")
         ->type_name("N")
-        ->check(CLI::Range(1, most_jobs));
+        ->check(CLI::Range(1, max_jobs));
 }
 
 permgen::SourceOptions source_options(const Options& options) {
@@ -87,9 +87,9 @@ std::optional<permgen::Program> build(const Options& options) {
     return program;
 }
 
-/// Why these files must not be written: one would take the place of a file that was read, or of another.
+/// Why these files must not be written: one would replace a file that was read, or another output.
 std::string collision(const std::vector<permgen::OutputFile>& files, const std::vector<std::string>& read) {
-    std::error_code ignored;  // what does not exist yet is no other file
+    std::error_code ignored;  // a file that does not exist yet cannot be another file
     for (std::size_t i = 0; i < files.size(); ++i) {
         for (const std::string& source : read)
             if (std::filesystem::equivalent(files[i].path, source, ignored))

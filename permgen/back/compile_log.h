@@ -8,8 +8,8 @@
 
 namespace permgen {
 
-/// One diagnostic for each thing that is wrong. What the front end says about the same line as a
-/// consequence of its first complaint, its counts and its farewell are left out.
+/// One diagnostic for each mistake. Later complaints about the same line follow from the first one and are
+/// left out, as are the front end's counts and its last line.
 Diagnostics read_compile_log(const std::string& log, const LoweredModule& module);
 
 }  // namespace permgen

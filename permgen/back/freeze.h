@@ -1,4 +1,4 @@
-// Every shader of every pass with its switches set, each distinct one worked out once.
+// Every shader of every pass with its switches set, each distinct one computed once.
 #pragma once
 
 #include <vector>

@@ -32,7 +32,7 @@ constexpr bool address_space_is_ours = false;  // AddressSanitizer reserves tera
 constexpr bool address_space_is_ours = true;
 #endif
 
-/// A running child. Whatever happens, it is killed and waited for.
+/// A running child. Its destructor kills it and waits for it.
 struct Child {
     Child() = default;
     Child(const Child&) = delete;

@@ -31,8 +31,8 @@ struct WorkerResult {
 };
 
 /// Runs task(0) … task(count - 1), each in a child of its own, at most `jobs` at a time, and returns their
-/// results in that order whatever order they end in. Whatever a task changes in memory stays in its child;
-/// what it prints is dropped. All children are gone when this returns. The calling process must not be
+/// results in the order of the tasks. Changes that a task makes in memory stay in its child; its output is
+/// dropped. All children are gone when this returns. The calling process must not be
 /// running other threads that hold locks which a task needs.
 std::vector<WorkerResult> run_workers(std::size_t count, int jobs, const WorkerLimits& limits,
                                       const std::function<std::string(std::size_t)>& task);

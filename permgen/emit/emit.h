@@ -29,7 +29,7 @@ std::string emit_manifest(const Program& program, const EmitOptions& options);
 /// What Module::attributes lists: a vertex module's inputs, a pixel module's outputs, system values left out.
 std::vector<LoweredAttribute> module_attributes(const LoweredModule& module);
 
-/// SPIR-V's file form, little-endian whatever the machine.
+/// SPIR-V's file form: little-endian on every machine.
 std::string spirv_bytes(const SpirvWords& code);
 
 /// "EFFECT.MODULE.spv", and "EFFECT.TECHNIQUE.PASS.STAGE.spv" for a frozen shader. The effect's name keeps

@@ -9,7 +9,7 @@
 namespace permgen {
 namespace {
 
-/// A C++ string literal; whatever is no plain character goes in as three octal digits, which end by themselves.
+/// A C++ string literal. Bytes outside printable ASCII become octal escapes, which end after three digits.
 std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {

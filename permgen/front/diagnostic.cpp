@@ -10,7 +10,7 @@ namespace permgen {
 
 namespace {
 
-constexpr std::size_t max_shown_bytes = 400;  // nobody reads a longer line in a terminal
+constexpr std::size_t max_shown_bytes = 400;  // a longer line fills the terminal and helps no reader
 
 /// The line without its end. Lines end as make_source() has them: "\n", "\r\n" or "\r".
 std::optional<std::string> read_line(const SourceLocation& place) {

@@ -26,8 +26,8 @@ struct Token {
 using Tokens = std::vector<Token>;
 
 /// The file's tokens without comments, no End token behind them. `name` is the Location::file to put into
-/// them. A byte that starts no token becomes an Unknown token, so that text which a condition skips stays
-/// free of complaints; only a comment without an end is reported here.
+/// them. A byte that starts no token becomes an Unknown token, so that text which a condition skips
+/// causes no error; only a comment without an end is reported here.
 Tokens lex(const SourceFile& source, std::int32_t name, const Sources& sources, Diagnostics& diagnostics);
 
 /// A string token's characters without the quotes.

@@ -8,7 +8,7 @@ namespace permgen {
 /// Brackets nested deeper than this are refused: glslang overflows its stack some way above.
 inline constexpr std::size_t max_bracket_depth = 256;
 
-/// Parses all of `tokens`, which end with an End token. Goes on behind an error, up to twenty of them.
+/// Parses all of `tokens`, which end with an End token. Continues after an error, up to twenty of them.
 ParsedEffect parse(Tokens tokens, const Sources& sources, Diagnostics& diagnostics);
 
 /// A semantic's parts; see Semantic.

@@ -1,4 +1,4 @@
-// What every part of the parser stands on: a position in the tokens, and how to complain.
+// What every part of the parser stands on: a position in the tokens, and how to report an error.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace permgen {
 
-/// Thrown at a syntax error, once its diagnostic stands; caught around each item at file scope.
+/// Thrown at a syntax error, after its diagnostic was added; caught around each item at file scope.
 struct SyntaxError {};
 
 struct ParseCursor {

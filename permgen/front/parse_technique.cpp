@@ -28,7 +28,7 @@ void check_profile(ParseCursor& cursor, const Token& word, bool vertex, const st
     const std::string_view stage = vertex ? "vs_" : "ps_";
     const bool other_stage = same_word(word.text.substr(0, 3), vertex ? "ps_" : "vs_");
     cursor.fail("PG024", word.at,
-                quoted(word) + " is no profile for a " + state +
+                quoted(word) + " is not a profile for a " + state +
                     (other_stage ? "; write " + std::string(stage) + "3_0"
                                  : suggestion(word.text, profiles, "; did you mean '", "'?")));
 }

@@ -72,7 +72,7 @@ private:
         }
     }
 
-    // The file's tokens, read and split only once however often it is included.
+    // The file's tokens. A file that is included again is not read again.
     const Tokens* open(const std::string& path, Location from) {
         const auto known = files_.find(path);
         if (known != files_.end()) return &known->second;
@@ -239,7 +239,7 @@ private:
         }
         Tokens expanded;
         expand(context_, without_defined, 0, expanded);
-        // As in C, a name that is no macro counts as 0; `true` is what HLSL authors expect it to be.
+        // As in C, a name that is not a macro counts as 0; `true` is what HLSL authors expect it to be.
         const IntegerNames names = [](std::string_view word) { return word == "true" ? 1 : 0; };
         const IntegerResult result = evaluate_integer(expanded, names);
         if (result.value) return *result.value != 0;

@@ -6,7 +6,7 @@
 namespace permgen {
 namespace {
 
-// Parentheses, unary operators and ?: nest by recursion; nobody writes a condition this deep by hand.
+// Parentheses, unary operators and ?: nest by recursion; conditions written by hand are not this deep.
 constexpr int max_depth = 256;
 
 struct Binary {

@@ -17,7 +17,7 @@ struct IntegerResult {
     Location at;          ///< where the problem is; file -1: behind the last token
 };
 
-/// What an identifier stands for, or nothing when it stands for no number.
+/// What an identifier stands for, or nothing when it is not a number's name.
 using IntegerNames = std::function<std::optional<std::int64_t>(std::string_view)>;
 
 /// Evaluates all of `tokens` with C's operators and precedence, in 64 bits that wrap around.

@@ -34,7 +34,7 @@ struct PreprocessingAborted {};
 /// Adds to `steps` and aborts with a diagnostic at `at` when too many were taken.
 void spend(MacroContext& context, std::size_t steps, Location at);
 
-/// Reports an error; aborts when so many stand that more would help nobody.
+/// Reports an error; aborts after max_reported_errors.
 void complain(MacroContext& context, const char* code, Location at, std::string message);
 
 /// Appends to `out` what `input`, which contains no directives, expands to. `depth` counts the macro calls

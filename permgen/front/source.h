@@ -12,7 +12,7 @@
 
 namespace permgen {
 
-/// A SourceLocation, compact: there is one in every token. `file` indexes Sources::names.
+/// A SourceLocation in compact form, since every token has one. `file` indexes Sources::names.
 struct Location {
     std::int32_t file = -1;
     std::int32_t line = 0;
@@ -49,8 +49,8 @@ struct Sources {
 /// path (a model, a film) from being taken for one.
 inline constexpr std::size_t max_source_bytes = 16u << 20;
 
-/// The file's bytes, or nothing when it is no readable regular file of at most max_source_bytes; `reason`
-/// then says why.
+/// The file's bytes. Nothing where it is not a regular file, cannot be read, or is larger than
+/// max_source_bytes; `reason` then says why.
 std::optional<std::string> read_bytes(const std::string& path, std::string& reason);
 
 SourceFile make_source(std::string path, std::string_view bytes);

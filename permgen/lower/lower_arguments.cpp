@@ -161,7 +161,7 @@ private:
         return bound;
     }
 
-    // Every word of an argument that is no literal must be a global or a type; a lone global must also fit.
+    // In an argument that is not a literal, every word must be a global or a type; a lone global must also fit.
     bool check_names(std::span<const Token> tokens, const Variable& parameter, const std::optional<NumericType>& type) {
         std::vector<std::string_view> globals;
         for (const Variable& global : effect_.globals) globals.push_back(global.name);

@@ -31,7 +31,7 @@ bool is_uniform_parameter(const Variable& parameter);
 std::optional<BoundEntry> bind_arguments(const ParsedEffect& effect, const Sources& sources, const Compile& compile,
                                          Diagnostics& diagnostics);
 
-/// The bits of a literal for a constant of `type`: `true`, `-3`, `(0.5f)`. Nothing for what is no literal;
+/// The bits of a literal for a constant of `type`: `true`, `-3`, `(0.5f)`. Nothing where the tokens are not a literal;
 /// `problem` is set for a literal that does not fit the type.
 std::optional<std::uint32_t> literal_bits(std::span<const Token> tokens, ScalarType type, std::string& problem);
 

@@ -24,7 +24,7 @@ std::string unknown_name(std::string_view name, bool in_sampler) {
     std::vector<std::string_view> names;
     for (const StateRow& row : d3d9::states)
         if (belongs(row, in_sampler)) names.push_back(row.name);
-    return "'" + std::string(name) + "' is no " + (in_sampler ? "sampler " : "") + "state of Direct3D 9" +
+    return "'" + std::string(name) + "' is not a " + (in_sampler ? "sampler " : "") + "state of Direct3D 9" +
            suggestion(name, names, "; did you mean '", "'?");
 }
 
@@ -50,7 +50,7 @@ std::string no_effect(const StateRow& row, const LoweredState& state, bool in_sa
         return assignment + " is not drawn: the renderer refuses a " + (in_sampler ? "sampler" : "pass") +
                " with it; write " + fixed_word(row) + " or remove it";
     if (row.support == Support::None)
-        return "'" + state.name + "' has no effect on Vulkan, where shaders do all of it; remove it";
+        return "'" + state.name + "' has no effect here; remove it, or do its work in the shader";
     return assignment + " is not drawn: Direct3D 9 has this value, and the renderer refuses it; write another";
 }
 
@@ -78,7 +78,7 @@ bool StateChecker::check(const StateAssignment& state, Where where, LoweredState
     const StateRow* row = d3d9::find_state(name);
     if (!row || !belongs(*row, in_sampler)) {
         error("PG043", state.at,
-              row ? "'" + std::string(row->name) + "' is no sampler state; write it into a pass"
+              row ? "'" + std::string(row->name) + "' is not a sampler state; write it into a pass"
                   : unknown_name(name, in_sampler));
         return false;
     }
@@ -102,7 +102,7 @@ bool StateChecker::check(const StateAssignment& state, Where where, LoweredState
 
     const auto tokens = std::span<const Token>(effect_.tokens).subspan(state.words.begin, state.words.size());
     StateValue value = read_state_value(*row, tokens);
-    // A parameter's name is no literal, but no mistake either.
+    // A parameter's name may stand in place of a literal.
     if (value.at && declared_.contains(std::string(value.at->text))) value = {ValueKind::Expression, 0, {}, nullptr};
     if (!value.problem.empty()) {
         error("PG044", value.at->at, value.problem);
@@ -116,7 +116,7 @@ bool StateChecker::check(const StateAssignment& state, Where where, LoweredState
     if (value.kind == ValueKind::Expression && row->support != Support::None)
         warn_once("PG046", row->name, tokens.front().at,
                   "the value of '" + lowered.name +
-                      "' is no literal, and permgen does not compute it: the renderer refuses it; write a literal");
+                      "' is not a literal; permgen does not compute it, and the renderer refuses it; write a literal");
     else if (!takes_effect(*row, lowered, in_sampler))
         warn_once("PG045", row->name, state.at, no_effect(*row, lowered, in_sampler));
     return true;

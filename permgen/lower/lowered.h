@@ -1,6 +1,6 @@
 // An effect after lowering: HLSL that glslang understands, and the interface that must come out of it.
 // The boundary between the effect language (preprocess, lex, parse, lower) and the back end (compile,
-// specialize, reflect, emit): plain data, nothing of either side.
+// specialize, reflect, emit): plain data, without types of either side.
 #pragma once
 
 #include <permgen/tables.h>

@@ -34,11 +34,11 @@ std::string what_it_takes(const StateRow& row) {
         default:
             break;
     }
-    constexpr std::size_t most_names = 12;  // longer lists hide the sentence
+    constexpr std::size_t max_names = 12;  // longer lists hide the sentence
     std::string names;
-    for (std::size_t i = 0; i < std::min(row.values.size(), most_names); ++i)
+    for (std::size_t i = 0; i < std::min(row.values.size(), max_names); ++i)
         names += (i ? ", " : "") + std::string(row.values[i].name);
-    if (row.values.size() > most_names) names += ", ...";
+    if (row.values.size() > max_names) names += ", ...";
     return (row.kind == ValueKind::Flags ? "a number, or names joined by '|', of " : "one of ") + names;
 }
 

@@ -1,4 +1,4 @@
-// A value in the manifest that knows where it stands, so that whatever is wrong with it can be said there.
+// A value in the manifest that knows its place, so that an error about it names that place.
 #pragma once
 
 #include <cstdint>

@@ -88,7 +88,7 @@ std::span<const State> Loader::states(const JsonNode& list) {
 
 State Loader::state(const JsonNode& node) {
     const d3d9::StateRow* row = d3d9::find_state(node["state"].text());
-    if (!row) node["state"].fail("'" + node["state"].text() + "' is no state of Direct3D 9");
+    if (!row) node["state"].fail("'" + node["state"].text() + "' is not a state of Direct3D 9");
     const State state{
         text(node["name"]),   text(node["value"]), row->id, node["index"].number(), node["kind"].word(value_kinds),
         node["bits"].number()};

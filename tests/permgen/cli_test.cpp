@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"MissingInclude", "sampler2D Map;", "#include \"nowhere.fxh\"\nsampler2D Map;",
               "^good\\.fx:2:[0-9]+: error\\[PG0[0-9]+\\]: .*nowhere\\.fxh"},
         Wrong{"MistypedState", "PixelShader", "AlphaBlendEnabel = TRUE; PixelShader",
-              "error\\[PG043\\]: 'AlphaBlendEnabel' is no state of Direct3D 9; did you mean 'AlphaBlendEnable'\\?\n"
+              "error\\[PG043\\]: 'AlphaBlendEnabel' is not a state of Direct3D 9; did you mean 'AlphaBlendEnable'\\?\n"
               ".*AlphaBlendEnabel = TRUE;.*\n *\\^\n$"},
         Wrong{"UnknownName", "float4(uv, 0.0, 1.0)", "float4(uv, depth, 1.0)",
               "^good\\.fx:13:47: error\\[PG050\\]: 'depth': unknown variable\n"

@@ -307,7 +307,7 @@ INSTANTIATE_TEST_SUITE_P(
                "techniques[1].passes[1].live[0]: there is no resource 'Earth'"},
         Damage{"NoPixel", "/techniques/1/passes/0/pixel", erased, "passes[0]: the field 'pixel' is missing"},
         Damage{"UnknownState", "/techniques/0/passes/0/states/0/state", "CulMode",
-               "states[0].state: 'CulMode' is no state of Direct3D 9"},
+               "states[0].state: 'CulMode' is not a state of Direct3D 9"},
         Damage{"StateWithoutIndex", "/techniques/0/passes/0/states/0/index", erased, "the field 'index' is missing"},
         Damage{"UnknownValueKind", "/techniques/0/passes/0/states/0/kind", "word", "states[0].kind: 'word' is none of"},
         Damage{"WrongValueKind", "/techniques/0/passes/0/states/0/kind", "float",

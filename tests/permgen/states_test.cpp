@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
     , StateIsRefused,
     testing::Values(
         Refused{"MistypedName", in_pass("AlphaBlendEnabel = TRUE;"), "PG043", 4, 1, "did you mean 'AlphaBlendEnable'?"},
-        Refused{"NoSuchName", in_pass("Brightness = 1;"), "PG043", 4, 1, "no state of Direct3D 9"},
+        Refused{"NoSuchName", in_pass("Brightness = 1;"), "PG043", 4, 1, "not a state of Direct3D 9"},
         Refused{"MistypedSamplerName", in_sampler(" MinFilte = LINEAR; "), "PG043", 1, 31, "did you mean 'MinFilter'?"},
         Refused{"RenderStateInASampler", in_sampler("CullMode = NONE;"), "PG043", 1, 30, "write it into a pass"},
         Refused{"IndexOfAPlainState", in_pass("CullMode[0] = NONE;"), "PG043", 4, 10, "takes no index"},
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"UnknownProfile", in_pass("") + "technique u { pass { PixelShader = compile ps_2_c ps(); } }", "PG024",
                 5, 47, "did you mean 'ps_2_"},
         Refused{"ProfileOfTheOtherStage", in_pass("") + "technique u { pass { PixelShader = compile vs_3_0 ps(); } }",
-                "PG024", 5, 47, "no profile for a PixelShader; write ps_3_0"}),
+                "PG024", 5, 47, "not a profile for a PixelShader; write ps_3_0"}),
     [](const auto& row) { return row.param.name; });
 
 struct Warned {
@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
         Warned{"Anisotropic", in_sampler("MinFilter = ANISOTROPIC;"), {"PG045"}, "is not drawn"},
         Warned{"BlackBorder", in_sampler("BorderColor = 0; MaxMipLevel = 0;"), {}},
         Warned{"WhiteBorder", in_sampler("BorderColor = 0xffffffff;"), {"PG045"}, "refuses a sampler with it"},
-        Warned{"Expression", in_pass("CullMode = <gMode>;"), {"PG046"}, "no literal"}),
+        Warned{"Expression", in_pass("CullMode = <gMode>;"), {"PG046"}, "not a literal"}),
     [](const auto& row) { return row.param.name; });
 
 TEST(Format, ShowsTheLineAndACaret) {

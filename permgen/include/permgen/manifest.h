@@ -20,7 +20,7 @@ public:
     ~LoadedEffect();
 
     /// What the generated header calls `effect`; frozen modules are there where --freeze wrote them. Valid as
-    /// long as this, or what this was moved into, lives. Not to be asked of what was moved from.
+    /// long as this object, or the one that it was moved into, lives. Must not be called on a moved-from object.
     const Effect& tables() const;
 
 private:
