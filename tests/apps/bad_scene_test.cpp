@@ -97,6 +97,21 @@ const std::vector<Breakage>& breakages() {
              lampExtras(g) = {{"density", -1}};
          },
          "density"},
+        {"AnisotropyOne",
+         [](Glb& g) {
+             lampExtras(g) = {{"anisotropy", 1}};
+         },
+         "anisotropy"},
+        {"AlbedoZero",
+         [](Glb& g) {
+             lampExtras(g) = {{"albedo", 0}};
+         },
+         "albedo"},
+        {"AlbedoOverOne",
+         [](Glb& g) {
+             lampExtras(g) = {{"albedo", 1.5}};
+         },
+         "albedo"},
         {"DensityText",
          [](Glb& g) {
              lampExtras(g) = {{"density", "thick"}};

@@ -73,6 +73,8 @@ TEST(LoadScene, ExtrasSayEverythingElse) {
         {"noise", {{"texture", cookie}, {"scale", {4, 5}}, {"scroll1", {1, 2}}, {"scroll2", {3, 4}}, {"gain", 6}}},
         {"density", 0.5},
         {"ambient", 0.25},
+        {"anisotropy", -0.5},
+        {"albedo", 0.8},
         {"clipPlanes", {{0, 2, 0, 4}}}};
     const app::Scene scene = load(glb);
     const app::SceneLight& lamp = scene.lights.at(0);
@@ -83,6 +85,8 @@ TEST(LoadScene, ExtrasSayEverythingElse) {
     EXPECT_FALSE(lamp.light.shadow);
     EXPECT_DOUBLE_EQ(lamp.light.density, 0.5);
     EXPECT_DOUBLE_EQ(lamp.light.ambient, 0.25);
+    EXPECT_DOUBLE_EQ(lamp.light.anisotropy, -0.5);
+    EXPECT_DOUBLE_EQ(lamp.light.albedo.value_or(0.0), 0.8);
     ASSERT_EQ(lamp.light.clipPlanes.size(), 1u);
     EXPECT_EQ(lamp.light.clipPlanes[0], glm::dvec4(0, 1, 0, 2)) << "normalized";
     ASSERT_TRUE(lamp.light.noise);

@@ -93,7 +93,8 @@ LightExtras read(const json& extras, const std::string& place, std::vector<std::
         throw Wrong{
             fmt::format("{}: extras.tyndall must be an object of settings, and is {}", place, extras.type_name())};
     warnOfUnknown(extras,
-                  {"shape", "fov", "near", "far", "cookie", "shadow", "noise", "density", "ambient", "clipPlanes"},
+                  {"shape", "fov", "near", "far", "cookie", "shadow", "noise", "density", "ambient", "anisotropy",
+                   "albedo", "clipPlanes"},
                   place, "extras.tyndall", warnings);
     LightExtras light;
     light.shape = choice<Shape>(extras, "shape", place, Shape::Cone, "\"cone\" or \"frustum\"",
@@ -106,6 +107,8 @@ LightExtras read(const json& extras, const std::string& place, std::vector<std::
                                   {{"none", Shadow::None}, {"static", Shadow::Static}, {"dynamic", Shadow::Dynamic}});
     light.density = number(extras, "density", place);
     light.ambient = number(extras, "ambient", place);
+    light.anisotropy = number(extras, "anisotropy", place);
+    light.albedo = number(extras, "albedo", place);
     light.clipPlanes = clipPlanes(extras, place);
 
     const auto noise = extras.find("noise");

@@ -23,7 +23,7 @@ enum class Shadow { None, Static, Dynamic };
 struct LightExtras {
     Shape shape = Shape::Cone;
     std::optional<glm::dvec2> fovDegrees;
-    std::optional<double> nearPlane, farPlane, density, ambient;
+    std::optional<double> nearPlane, farPlane, density, ambient, anisotropy, albedo;
     std::optional<int> cookie;
     Shadow shadow = Shadow::Static;
     std::optional<NoiseExtras> noise;

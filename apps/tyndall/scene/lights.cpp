@@ -69,11 +69,18 @@ Outcome<void> applyFov(Light& light, const LightExtras& extras, double outer, co
 Outcome<void> applyAir(Light& light, const LightExtras& extras, const std::string& place) {
     light.density = extras.density.value_or(light.density);
     light.ambient = extras.ambient.value_or(light.ambient);
+    light.anisotropy = extras.anisotropy.value_or(light.anisotropy);
+    light.albedo = extras.albedo;
     light.shadow = extras.shadow != Shadow::None;
     light.clipPlanes = extras.clipPlanes;
     if (!(light.density >= 0.0))
         return fail("{}: its density is {:g} 1/m; it cannot be negative", place, light.density);
     if (!(light.ambient >= 0.0)) return fail("{}: its ambient is {:g}; it cannot be negative", place, light.ambient);
+    if (!(std::abs(light.anisotropy) < 1.0))
+        return fail("{}: its anisotropy is {:g}; it must lie between -1 and 1, both excluded", place, light.anisotropy);
+    if (light.albedo && !(*light.albedo > 0.0 && *light.albedo <= 1.0))
+        return fail("{}: its albedo is {:g}; it must be over 0 and at most 1, or left out for air without extinction",
+                    place, *light.albedo);
     if (!extras.noise) return {};
     Noise noise;
     noise.scale = extras.noise->scale.value_or(noise.scale);

@@ -68,7 +68,7 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
     const Cone fromLamp = coneAround(corners), back = coneAround(toEye);
     const double between = angleBetween(fromLamp.axis, back.axis), spread = fromLamp.halfAngle + back.halfAngle;
     const double sharpest = std::max(between - spread, 0.0), widest = std::min(between + spread, glm::pi<double>());
-    const auto [low, high] = std::minmax(phase(light.anisotropy, sharpest), phase(light.anisotropy, widest));
+    const auto [low, high] = std::minmax({phase(light.anisotropy, sharpest), phase(light.anisotropy, widest)});
     return {glm::dvec3(low * std::exp(-extinction * longestWay)),
             glm::dvec3(high * std::exp(-extinction * shortestWay))};
 }
