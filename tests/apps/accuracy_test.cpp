@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <headless/device.h>
 #include <study/metrics.h>
-#include <tyndall/plan/plan_scene.h>
-#include <tyndall/reference/reference_scene.h>
-#include <tyndall/render/scene_renderer.h>
+#include <tyndall/frame/plan_scene.h>
+#include <tyndall/frame/reference_scene.h>
+#include <tyndall/frame/scene_renderer.h>
 
 #include <cmath>
 

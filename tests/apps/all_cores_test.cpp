@@ -1,6 +1,6 @@
 // The program's parallel loop: every job once, and whatever a job throws comes back.
 #include <gtest/gtest.h>
-#include <tyndall/render/all_cores.h>
+#include <tyndall/frame/all_cores.h>
 
 #include <atomic>
 #include <stdexcept>

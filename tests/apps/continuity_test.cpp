@@ -4,9 +4,9 @@
 // out of the middle of such a picture.
 #include <gtest/gtest.h>
 #include <headless/device.h>
-#include <tyndall/plan/plan_scene.h>
-#include <tyndall/reference/reference_scene.h>
-#include <tyndall/render/scene_renderer.h>
+#include <tyndall/frame/plan_scene.h>
+#include <tyndall/frame/reference_scene.h>
+#include <tyndall/frame/scene_renderer.h>
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

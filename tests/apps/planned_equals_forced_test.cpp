@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <headless/device.h>
 #include <tyndall/image/tone_map.h>
-#include <tyndall/plan/plan_scene.h>
-#include <tyndall/render/scene_renderer.h>
+#include <tyndall/frame/plan_scene.h>
+#include <tyndall/frame/scene_renderer.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>

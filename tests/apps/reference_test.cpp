@@ -1,7 +1,7 @@
 // `tyndall reference`: scenes whose shafts have a closed form, in both modes, and what the command leaves behind.
 #include <gtest/gtest.h>
 #include <tyndall/command/commands.h>
-#include <tyndall/reference/reference_scene.h>
+#include <tyndall/frame/reference_scene.h>
 
 #include <cmath>
 #include <csignal>

@@ -1,9 +1,9 @@
 // What the second frame of a scene costs, and that it shows what a renderer of its own would.
 #include <gtest/gtest.h>
 #include <headless/device.h>
-#include <tyndall/plan/plan_scene.h>
-#include <tyndall/render/scene_renderer.h>
-#include <tyndall/render/scene_view.h>
+#include <tyndall/frame/plan_scene.h>
+#include <tyndall/frame/scene_renderer.h>
+#include <tyndall/frame/scene_view.h>
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>

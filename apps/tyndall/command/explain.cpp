@@ -1,6 +1,6 @@
 #include <headless/device.h>
 
-#include "../render/scene_renderer.h"
+#include "../frame/scene_renderer.h"
 #include "commands.h"
 #include "json_text.h"
 #include "report.h"

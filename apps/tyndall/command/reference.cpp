@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "../image/write_picture.h"
-#include "../reference/reference_scene.h"
+#include "../frame/reference_scene.h"
 #include "check_outputs.h"
 #include "commands.h"
 #include "json_text.h"

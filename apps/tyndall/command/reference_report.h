@@ -7,7 +7,7 @@
 #include <string>
 
 #include "../options.h"
-#include "view_scene.h"
+#include "../frame/view_scene.h"
 
 namespace tyndall::app {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "../image/write_picture.h"
-#include "../render/pipeline_cache_file.h"
-#include "../render/scene_renderer.h"
+#include "../frame/pipeline_cache_file.h"
+#include "../frame/scene_renderer.h"
 #include "check_outputs.h"
 #include "commands.h"
 #include "json_text.h"

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "../command/view_scene.h"
+#include "view_scene.h"
 #include "gpu_scene.h"
 
 namespace tyndall::app {

@@ -1,7 +1,7 @@
 #include "plan_scene.h"
 
-#include "../render/automatic_range.h"
-#include "../render/scene_view.h"
+#include "automatic_range.h"
+#include "scene_view.h"
 
 namespace tyndall::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "../command/view_scene.h"
-#include "../plan/surface_lights.h"
+#include "view_scene.h"
+#include "surface_lights.h"
 
 namespace tyndall::app {
 

@@ -2,8 +2,8 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "../render/read_back.h"
-#include "../render/scene_renderer.h"
+#include "read_back.h"
+#include "scene_renderer.h"
 
 namespace tyndall::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <tyndall/plan.h>
 
-#include "../command/view_scene.h"
+#include "view_scene.h"
 #include "drawn_depth.h"
 #include "scene_facts.h"
 #include "surface_lights.h"

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "../command/view_scene.h"
+#include "view_scene.h"
 #include "../outcome.h"
-#include "../plan/surface_lights.h"
+#include "surface_lights.h"
 #include "gpu_scene.h"
 #include "shadow_maps.h"
 

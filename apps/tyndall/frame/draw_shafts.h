@@ -4,7 +4,7 @@
 #include <headless/statistics.h>
 #include <tyndall/renderer.h>
 
-#include "../plan/plan_scene.h"
+#include "plan_scene.h"
 #include "frame_statistics.h"
 #include "frame_targets.h"
 #include "gpu_scene.h"

@@ -1,6 +1,6 @@
 #include "view_scene.h"
 
-#include "../render/scene_view.h"
+#include "scene_view.h"
 #include "../scene/load_scene.h"
 
 namespace tyndall::app {

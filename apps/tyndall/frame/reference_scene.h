@@ -4,7 +4,7 @@
 #include <headless/device.h>
 #include <study/reference.h>
 
-#include "../command/view_scene.h"
+#include "view_scene.h"
 #include "../options.h"
 #include "../outcome.h"
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "../image/picture.h"
-#include "../plan/plan_scene.h"
+#include "plan_scene.h"
 #include "frame_statistics.h"
 #include "frame_targets.h"
 #include "gpu_scene.h"
