@@ -1,5 +1,6 @@
 #include "block_layout.h"
 
+#include <kit/fail.h>
 #include <fmt/format.h>
 #include <back/names.h>
 #include <back/spirv_module.h>
@@ -94,7 +95,7 @@ std::string BlockMember::typeName() const {
     return array ? fmt::format("{}[{}]", word, elements) : word;
 }
 
-Outcome<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
+Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
     std::vector<SpirvModule> modules(effect.modules.size());
     for (std::size_t i = 0; i < modules.size(); ++i)
         if (!permgen::parse_spirv(effect.modules[i]->code, modules[i]))
@@ -112,7 +113,7 @@ Outcome<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
         for (const SpirvModule& module : modules)
             if (member.block && !declared) declared = findMember(module, *member.block, known.offset);
         if (!declared)
-            return tl::unexpected(fmt::format("no module declares the constant {} of {}; compile the effect again",
+            return tyndall::fail("no module declares the constant {} of {}; compile the effect again",
                                               known.name, known.block));
         member.settable = describe(*declared, member);
         members.push_back(std::move(member));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <permgen/tables.h>
-#include <rig/outcome.h>
+#include <tyndall/result.h>
 
 #include <cstdint>
 #include <string>
@@ -28,6 +28,6 @@ struct BlockMember {
 };
 
 /// Every member of every block, in the tables' order. Errors: a module whose blocks are not the tables'.
-Outcome<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect);
+Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect);
 
 }  // namespace tyndall::rig

@@ -30,7 +30,7 @@ private:
     std::optional<Image> draw(const std::string& pass, std::size_t passes, Shaders shaders, Variation variation = {}) {
         device_.clearMessages();
         auto image = studio_.draw(technique_, passes, shaders, variation);
-        std::string reason = image ? std::string() : image.error();
+        std::string reason = image ? std::string() : image.error().message;
         for (const std::string& message : device_.messages()) reason += (reason.empty() ? "" : "; ") + message;
         const std::string kind = shaders == Shaders::Frozen ? "frozen" : "specialized";
         if (!variation.empty()) {

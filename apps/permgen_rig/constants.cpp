@@ -1,5 +1,6 @@
 #include "constants.h"
 
+#include <kit/fail.h>
 #include <fmt/format.h>
 #include <front/nearest.h>
 
@@ -58,7 +59,7 @@ std::string whyNot(const BlockMember& member, const Numbers& given) {
 
 }  // namespace
 
-Outcome<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
+Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
                                  const Fixture& fixture) {
     Constants constants;
     for (const permgen::Resource& resource : effect.resources)
@@ -70,7 +71,7 @@ Outcome<Constants> fillConstants(const permgen::Effect& effect, const std::vecto
     for (const auto& [name, given] : fixture.constants) {
         if (std::find(names.begin(), names.end(), name) != names.end()) continue;
         const std::string known = names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "));
-        return tl::unexpected(fmt::format("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name,
+        return tyndall::fail("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name,
                                           effect.name, permgen::suggestion(name, names, "; did you mean ", "?"),
                                           known));
     }
@@ -81,7 +82,7 @@ Outcome<Constants> fillConstants(const permgen::Effect& effect, const std::vecto
             continue;
         }
         if (const std::string why = whyNot(member, given->second); !why.empty())
-            return tl::unexpected(fmt::format("{}: constants.{}: {}", fixture.path, member.name, why));
+            return tyndall::fail("{}: constants.{}: {}", fixture.path, member.name, why);
         std::vector<std::byte>& bytes = constants.blocks.at(std::string(member.block->name));
         forEachNumber(member, [&](std::size_t index, std::size_t offset) {
             const std::uint32_t bits = bitsOf(member.type, given->second.values[index]);

@@ -22,7 +22,7 @@ struct Constants {
 
 /// Errors: a constant that the effect does not have (with the nearest name), of another count, or not a whole
 /// number where one is wanted.
-Outcome<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
+Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
                                  const Fixture& fixture);
 
 /// The same block with every number of every member something else: what depends on any of them has to change.

@@ -1,5 +1,6 @@
 #include "fixture.h"
 
+#include <kit/fail.h>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -189,7 +190,7 @@ JsonValue::Json parse(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-Outcome<Fixture> readFixture(const std::string& path) {
+Result<Fixture> readFixture(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         return tl::unexpected(path + ": this is a folder; name a fixture file, as in " +
@@ -202,7 +203,7 @@ Outcome<Fixture> readFixture(const std::string& path) {
         const JsonValue::Json json = parse(text, path);
         return read(JsonValue(json, path + ":"), path);
     } catch (const FixtureFault& fault) {
-        return tl::unexpected(std::string(fault.what()));
+        return fail("{}", fault.what());
     } catch (const JsonValue::Json::exception& error) {
         return tl::unexpected(path + ": this is no JSON: " + error.what());
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <rig/compare.h>
-#include <rig/outcome.h>
+#include <tyndall/result.h>
 #include <vulkan/vulkan_core.h>
 
 #include <array>
@@ -59,6 +59,6 @@ struct Fixture {
 };
 
 /// Errors: one sentence that begins with the file and the place in it: "toon.json: constants.gTint: …".
-Outcome<Fixture> readFixture(const std::string& path);
+Result<Fixture> readFixture(const std::string& path);
 
 }  // namespace tyndall::rig

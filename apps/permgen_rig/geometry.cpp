@@ -118,7 +118,7 @@ ExplicitGeometry geometryOf(const Fixture& fixture) {
     return std::get<ExplicitGeometry>(fixture.geometry);
 }
 
-Outcome<VertexStream> vertexStream(const permgen::Module& module, const ExplicitGeometry& geometry) {
+Result<VertexStream> vertexStream(const permgen::Module& module, const ExplicitGeometry& geometry) {
     VertexStream stream;
     std::vector<const std::vector<std::vector<double>>*> columns;
     for (const permgen::Attribute& attribute : module.attributes) {

@@ -33,6 +33,6 @@ struct VertexStream {
 
 /// The stream of `module`'s attributes, each as wide and of the type that it reads; what a vertex does not say is 0,
 /// and 1 for a fourth number. Errors: a semantic that the geometry lacks.
-Outcome<VertexStream> vertexStream(const permgen::Module& module, const ExplicitGeometry& geometry);
+Result<VertexStream> vertexStream(const permgen::Module& module, const ExplicitGeometry& geometry);
 
 }  // namespace tyndall::rig

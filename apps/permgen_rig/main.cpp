@@ -131,7 +131,7 @@ void report(const Options& options, const permgen::Effect& effect, const permgen
             : reportFailure(options.report,
                             {subject, switches(technique, check.pass), check.reason, commandOf(options, technique)},
                             check.image ? &*check.image : nullptr, check.expected ? &*check.expected : nullptr);
-    if (!reported) stop(reported.error());
+    if (!reported) stop(reported.error().message);
 }
 
 /// A technique that was renamed or taken out never passes again: its failures would stay in the report for good.
@@ -139,7 +139,7 @@ void forgetOtherTechniques(const Options& options, const permgen::Effect& effect
     if (options.report.empty()) return;
     std::vector<std::string> names;
     for (const permgen::Technique& technique : effect.techniques) names.emplace_back(technique.name);
-    if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done) stop(done.error());
+    if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done) stop(done.error().message);
 }
 
 bool tryOut(headless::Device& device, Studio& studio, const permgen::Effect& effect,
@@ -170,11 +170,11 @@ Status run(const Options& options) {
         return Passed;
     }
     const auto fixture = readFixture(options.fixture);
-    if (!fixture) stop(fixture.error());
+    if (!fixture) stop(fixture.error().message);
     checkFrozen(effect, options);
     headless::Device device = openDevice(options);
     const auto studio = Studio::create(device, effect, *fixture);
-    if (!studio) stop(studio.error());
+    if (!studio) stop(studio.error().message);
 
     fmt::print("{}: {} of {} techniques on {}\n", effect.name, effect.techniques.size(), whole.techniques.size(),
                device.name());

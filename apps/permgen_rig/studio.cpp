@@ -15,7 +15,7 @@ namespace {
 constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 
 template <class T>
-Outcome<T> plain(Result<T> result) {
+Result<T> plain(Result<T> result) {
     if (!result) return tl::unexpected(result.error().message);
     if constexpr (std::is_void_v<T>)
         return {};
@@ -23,7 +23,7 @@ Outcome<T> plain(Result<T> result) {
         return std::move(*result);
 }
 
-Outcome<headless::Image> upload(const headless::Device& device, const Image& texels, std::string_view name) {
+Result<headless::Image> upload(const headless::Device& device, const Image& texels, std::string_view name) {
     headless::ImageInfo info;
     info.extent = {static_cast<std::uint32_t>(texels.width), static_cast<std::uint32_t>(texels.height)};
     info.format = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -76,7 +76,7 @@ struct Studio::Targets {
     headless::Image depth;
 };
 
-Outcome<std::unique_ptr<Studio>> Studio::create(const headless::Device& device, const permgen::Effect& effect,
+Result<std::unique_ptr<Studio>> Studio::create(const headless::Device& device, const permgen::Effect& effect,
                                                 const Fixture& fixture) {
     std::unique_ptr<Studio> studio(new Studio(device, effect, fixture));
     for (const auto step : {&Studio::makeBlocks, &Studio::makeTextures, &Studio::makeGeometry, &Studio::makePipelines})
@@ -84,7 +84,7 @@ Outcome<std::unique_ptr<Studio>> Studio::create(const headless::Device& device, 
     return studio;
 }
 
-Outcome<void> Studio::makeBlocks() {
+Result<void> Studio::makeBlocks() {
     const auto members = blockMembers(effect_);
     if (!members) return tl::unexpected(members.error());
     auto constants = fillConstants(effect_, *members, fixture_);
@@ -104,7 +104,7 @@ Outcome<void> Studio::makeBlocks() {
     return {};
 }
 
-Outcome<void> Studio::makeTextures() {
+Result<void> Studio::makeTextures() {
     const auto texels = rig::makeTextures(effect_, fixture_);
     if (!texels) return tl::unexpected(texels.error());
     for (const auto& [name, image] : *texels) {
@@ -116,7 +116,7 @@ Outcome<void> Studio::makeTextures() {
     return {};
 }
 
-Outcome<void> Studio::makeGeometry() {
+Result<void> Studio::makeGeometry() {
     const ExplicitGeometry geometry = geometryOf(fixture_);
     indexCount_ = static_cast<std::uint32_t>(geometry.indices.size());
     auto indices = headless::Buffer::create(device_, std::as_bytes(std::span(geometry.indices)),
@@ -129,7 +129,7 @@ Outcome<void> Studio::makeGeometry() {
             if (pass.vertex.module) modules.insert(pass.vertex.module);
     for (const permgen::Module* module : modules) {
         auto stream = vertexStream(*module, geometry);
-        if (!stream) return tl::unexpected(fixture_.path + ": " + stream.error());
+        if (!stream) return tl::unexpected(fixture_.path + ": " + stream.error().message);
         Stream made;
         made.stride = stream->stride;
         for (const VertexAttribute& attribute : stream->attributes)
@@ -144,7 +144,7 @@ Outcome<void> Studio::makeGeometry() {
     return {};
 }
 
-Outcome<void> Studio::makePipelines() {
+Result<void> Studio::makePipelines() {
     DeviceContext context{device_.physicalDevice(), device_.device(), VK_NULL_HANDLE, Shaders::Frozen};
     auto frozen = PassPipelines::create(context, effect_);
     if (!frozen) return tl::unexpected(frozen.error().message);
@@ -161,7 +161,7 @@ bool Studio::canVary(std::string_view resource) const {
     return textures_.contains(resource) || (block != blocks_.end() && block->second.varies);
 }
 
-Outcome<Studio::Targets> Studio::makeTargets(const permgen::Technique& technique) const {
+Result<Studio::Targets> Studio::makeTargets(const permgen::Technique& technique) const {
     Targets targets;
     headless::ImageInfo info;
     info.extent = {fixture_.width, fixture_.height};
@@ -239,7 +239,7 @@ Result<void> Studio::record(VkCommandBuffer commands, const Targets& targets, co
     return {};
 }
 
-Outcome<Image> Studio::readTargets(const Targets& targets) const {
+Result<Image> Studio::readTargets(const Targets& targets) const {
     Image whole{static_cast<int>(fixture_.width), 0, 4, {}};
     for (const headless::Image& target : targets.colours) {
         const auto bytes = headless::readback(device_, target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
@@ -251,7 +251,7 @@ Outcome<Image> Studio::readTargets(const Targets& targets) const {
     return whole;
 }
 
-Outcome<Image> Studio::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
+Result<Image> Studio::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
                             Variation variation) {
     const auto targets = makeTargets(technique);
     if (!targets) return tl::unexpected(targets.error());

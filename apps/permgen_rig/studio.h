@@ -27,12 +27,12 @@ class Studio {
 public:
     /// Everything that can be wrong with effect and fixture is found here: the fixture has to give what the effect's
     /// techniques read. `effect` must outlive it.
-    static Outcome<std::unique_ptr<Studio>> create(const headless::Device& device, const permgen::Effect& effect,
+    static Result<std::unique_ptr<Studio>> create(const headless::Device& device, const permgen::Effect& effect,
                                                    const Fixture& fixture);
 
     /// The target after the technique's first `passes` passes; further targets stand below the first. With
     /// Shaders::Specialized everything is bound that the fixture gives, whether it is live or not.
-    Outcome<Image> draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
+    Result<Image> draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
                         Variation variation = {});
 
     /// Whether draw() has a variation of that resource.
@@ -57,17 +57,17 @@ private:
 
     Studio(const headless::Device& device, const permgen::Effect& effect, const Fixture& fixture)
         : device_(device), effect_(effect), fixture_(fixture) {}
-    Outcome<void> makeBlocks();
-    Outcome<void> makeTextures();
-    Outcome<void> makeGeometry();
-    Outcome<void> makePipelines();
-    Outcome<Targets> makeTargets(const permgen::Technique& technique) const;
+    Result<void> makeBlocks();
+    Result<void> makeTextures();
+    Result<void> makeGeometry();
+    Result<void> makePipelines();
+    Result<Targets> makeTargets(const permgen::Technique& technique) const;
     Result<void> record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
                         std::size_t passes, Shaders shaders, Variation variation);
     Result<void> recordPass(VkCommandBuffer commands, const Targets& targets, PassPipelines& pipelines,
                             const permgen::Pass& pass, Variation variation);
     void recordDraw(VkCommandBuffer commands, const Stream& stream) const;
-    Outcome<Image> readTargets(const Targets& targets) const;
+    Result<Image> readTargets(const Targets& targets) const;
 
     const headless::Device& device_;
     const permgen::Effect& effect_;

@@ -1,5 +1,6 @@
 #include "textures.h"
 
+#include <kit/fail.h>
 #include <fmt/format.h>
 #include <back/names.h>
 #include <front/nearest.h>
@@ -58,7 +59,7 @@ Image fourChannels(const Image& image) {
     return wide;
 }
 
-Outcome<Image> load(const TextureSource& source) {
+Result<Image> load(const TextureSource& source) {
     if (const auto* made = std::get_if<Generated>(&source)) return generate(*made);
     auto image = readImage(std::get<ImageFile>(source).path);
     if (!image) return image;
@@ -75,9 +76,9 @@ std::string_view readerOf(const permgen::Effect& effect, std::string_view resour
 
 }  // namespace
 
-Outcome<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixture) {
+Result<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixture) {
     const auto fail = [&](const std::string& name, const std::string& why) {
-        return tl::unexpected(fmt::format("{}: textures.{}: {}", fixture.path, name, why));
+        return tyndall::fail("{}: textures.{}: {}", fixture.path, name, why);
     };
     std::vector<std::string_view> samplers;
     for (const permgen::Resource& resource : effect.resources)
@@ -107,7 +108,7 @@ Outcome<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixtu
                                           reader));
         }
         auto image = load(source->second);
-        if (!image) return fail(name, image.error());
+        if (!image) return fail(name, image.error().message);
         if (const std::string why = whyNotFinite(*image); !why.empty()) return fail(name, why);
         texels.emplace(name, std::move(*image));
     }

@@ -16,7 +16,7 @@ using Texels = std::map<std::string, Image>;
 
 /// Errors: a sampler that the effect does not have (with the nearest name), one that some technique reads and that
 /// has no texture, one that is no 2D sampler, an image file that cannot be read.
-Outcome<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixture);
+Result<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixture);
 
 /// The same size, every texel and channel another value: a picture that reads it has to change.
 Image altered(const Image& texels);

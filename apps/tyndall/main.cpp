@@ -16,7 +16,7 @@ int fails(int status, const std::string& sentence) {
     return status;
 }
 
-Outcome<Said> run(const Request& request) {
+Result<Said> run(const Request& request) {
     if (const auto* options = std::get_if<RenderOptions>(&request)) return render(*options);
     if (const auto* options = std::get_if<ExplainOptions>(&request)) return explain(*options);
     if (const auto* options = std::get_if<ReferenceOptions>(&request)) {
@@ -31,9 +31,9 @@ Outcome<Said> run(const Request& request) {
 
 int main(int argc, char** argv) try {
     const auto request = parseCommandLine(argc, argv);
-    if (!request) return fails(2, request.error());
+    if (!request) return fails(2, request.error().message);
     const auto said = run(*request);
-    if (!said) return fails(1, said.error());
+    if (!said) return fails(1, said.error().message);
     for (const std::string& note : said->notes) fmt::print(stderr, "tyndall: {}\n", note);
     fmt::print("{}", said->output);
     return said->verdict ? fails(1, *said->verdict) : 0;

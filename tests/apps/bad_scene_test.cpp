@@ -325,9 +325,9 @@ TEST_P(BadScene, SaysWhatIsWrong) {
     breakage.apply(glb);
     const auto scene = app::loadScene(writeScene(glb), 0.0);
     ASSERT_FALSE(scene) << "was read without an error";
-    EXPECT_NE(scene.error().find(breakage.says), std::string::npos) << scene.error();
-    EXPECT_NE(scene.error().find("scene.glb"), std::string::npos) << "names the file: " << scene.error();
-    EXPECT_EQ(scene.error().find('\n'), std::string::npos) << scene.error();
+    EXPECT_NE(scene.error().message.find(breakage.says), std::string::npos) << scene.error().message;
+    EXPECT_NE(scene.error().message.find("scene.glb"), std::string::npos) << "names the file: " << scene.error().message;
+    EXPECT_EQ(scene.error().message.find('\n'), std::string::npos) << scene.error().message;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadScene, testing::Range<std::size_t>(0, breakages().size()),
@@ -338,7 +338,7 @@ TEST(BadSceneFile, TruncatedAnywhere) {
     for (std::size_t size = 0; size < whole.size(); size += 3) {
         const auto scene = app::loadScene(writeBytes(std::span(whole).first(size), "cut.glb"), 0.0);
         ASSERT_FALSE(scene) << "the first " << size << " of " << whole.size() << " bytes were read as a whole scene";
-        ASSERT_EQ(scene.error().find('\n'), std::string::npos) << scene.error();
+        ASSERT_EQ(scene.error().message.find('\n'), std::string::npos) << scene.error().message;
     }
 }
 
@@ -361,7 +361,7 @@ TEST(BadSceneFile, DamagedAnywhere) {
             damaged[at] = value;
             const auto scene = app::loadScene(writeBytes(damaged, "damaged.glb"), 0.0);
             if (!scene) {
-                ASSERT_FALSE(scene.error().empty()) << at;
+                ASSERT_FALSE(scene.error().message.empty()) << at;
             }
         }
 }
@@ -369,13 +369,13 @@ TEST(BadSceneFile, DamagedAnywhere) {
 TEST(BadSceneFile, NotThere) {
     const auto scene = app::loadScene(freshPath("nothing.glb"), 0.0);
     ASSERT_FALSE(scene);
-    EXPECT_NE(scene.error().find("no such file"), std::string::npos) << scene.error();
+    EXPECT_NE(scene.error().message.find("no such file"), std::string::npos) << scene.error().message;
 }
 
 TEST(BadSceneFile, Folder) {
     const auto scene = app::loadScene("/", 0.0);
     ASSERT_FALSE(scene);
-    EXPECT_NE(scene.error().find("not a file"), std::string::npos) << scene.error();
+    EXPECT_NE(scene.error().message.find("not a file"), std::string::npos) << scene.error().message;
 }
 
 TEST(BadSceneFile, NestedTooDeep) {
@@ -384,7 +384,7 @@ TEST(BadSceneFile, NestedTooDeep) {
     const auto scene = app::loadScene(
         writeBytes({reinterpret_cast<const unsigned char*>(deep.data()), deep.size()}, "deep.gltf"), 0.0);
     ASSERT_FALSE(scene);
-    EXPECT_NE(scene.error().find("nests too deep"), std::string::npos) << scene.error();
+    EXPECT_NE(scene.error().message.find("nests too deep"), std::string::npos) << scene.error().message;
 }
 
 TEST(BadSceneFile, ImageThatClaimsToBeHuge) {
@@ -397,7 +397,7 @@ TEST(BadSceneFile, ImageThatClaimsToBeHuge) {
     lampExtras(glb) = {{"cookie", 0}};
     const auto scene = app::loadScene(writeScene(glb), 0.0);
     ASSERT_FALSE(scene);
-    EXPECT_NE(scene.error().find("16777217x16777217"), std::string::npos) << scene.error();
+    EXPECT_NE(scene.error().message.find("16777217x16777217"), std::string::npos) << scene.error().message;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // What a display shows.
 #pragma once
 
-#include <tyndall/image/srgb.h>
-#include <tyndall/image/tone_map.h>
+#include <kit/image/srgb.h>
+#include <kit/image/tone_map.h>
 
 namespace tyndall::test {
 

@@ -11,7 +11,7 @@ namespace {
 
 app::Scene load(const Glb& glb, double time = 0.0) {
     auto scene = app::loadScene(writeScene(glb), time);
-    EXPECT_TRUE(scene) << (scene ? "" : scene.error());
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
     return scene ? std::move(*scene) : app::Scene{};
 }
 

@@ -1,7 +1,7 @@
 // For what a test cannot go on without.
 #pragma once
 
-#include <tyndall/outcome.h>
+#include <kit/fail.h>
 
 #include <stdexcept>
 #include <utility>
@@ -10,8 +10,8 @@ namespace tyndall::test {
 
 /// Errors: std::runtime_error with what the outcome says.
 template <class T>
-T must(app::Outcome<T> outcome) {
-    if (!outcome) throw std::runtime_error(outcome.error());
+T must(app::Result<T> outcome) {
+    if (!outcome) throw std::runtime_error(outcome.error().message);
     return std::move(*outcome);
 }
 

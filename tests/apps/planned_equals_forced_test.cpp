@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <headless/device.h>
-#include <tyndall/image/tone_map.h>
+#include <kit/image/tone_map.h>
 #include <tyndall/frame/plan_scene.h>
 #include <tyndall/frame/scene_renderer.h>
 

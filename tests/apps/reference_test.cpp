@@ -192,9 +192,9 @@ TEST(Reference, TheHardwareModeHoldsWhatTheRendererDrewAndDrawsItWithoutAMessage
     const auto device = headless::Device::create({.validation = true});
     ASSERT_TRUE(device) << device.error().message;
     const auto viewed = app::viewScene(options);
-    ASSERT_TRUE(viewed) << viewed.error();
+    ASSERT_TRUE(viewed) << viewed.error().message;
     const auto scene = app::hardwareScene(*device, *viewed, options, 32);
-    ASSERT_TRUE(scene) << scene.error();
+    ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(device->messages(), std::vector<std::string>{});
     // Reversed depth of a wall 5 m away: from a near plane at 0.1 m to infinity 0.1 / 5; from the lamp's planes at
     // n = 1 and f = 10 m (n f / 5 - n) / (f - n). Both are rounded to floats by the rasterizer's interpolation.
@@ -297,7 +297,7 @@ TEST(Reference, StoppedAtAnyPointItLeavesNothing) {
         options.view.size = calls == 0 ? app::Size{1, 1} : app::Size{1024, 1024};
         const auto said = app::reference(options, [&](double) { return count++ < calls; });
         ASSERT_FALSE(said);
-        EXPECT_EQ(said.error(), "interrupted; nothing was written");
+        EXPECT_EQ(said.error().message, "interrupted; nothing was written");
         EXPECT_TRUE(neighbours(out).empty());
     }
 }

@@ -28,7 +28,7 @@ protected:
     static std::string path() { return std::string(TYNDALL_SCENES "/") + GetParam().name + ".glb"; }
     static app::Scene load(double time) {
         auto scene = app::loadScene(path(), time);
-        EXPECT_TRUE(scene) << (scene ? "" : scene.error());
+        EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
         return scene ? std::move(*scene) : app::Scene{};
     }
 };

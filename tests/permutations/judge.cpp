@@ -49,7 +49,7 @@ rig::Image imageOf(const std::vector<Allowed>& allowed, int width, int height) {
 void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const rig::Image& image,
            const rig::Image* expected) {
     const rig::Subject subject{permutation.effect(), permutation.name(), std::string(permutation.pass().name), check};
-    rig::Outcome<void> reported;
+    rig::Result<void> reported;
     if (reason.empty()) {
         reported = rig::reportPass(reportFolder(), subject);
     } else {
@@ -57,7 +57,7 @@ void judge(const Permutation& permutation, const std::string& check, const std::
         reported = rig::reportFailure(reportFolder(), {subject, permutation.constants(), reason, thisTestsCommand()},
                                       &image, expected);
     }
-    EXPECT_TRUE(reported.has_value()) << reported.error();
+    EXPECT_TRUE(reported.has_value()) << reported.error().message;
 }
 
 void judgeGolden(const Permutation& permutation, const std::string& name, const rig::Image& image,

@@ -38,7 +38,7 @@ struct BlockLayout : testing::Test {
             if (candidate.name == name) return candidate;
         throw std::runtime_error("no such member");
     }
-    Outcome<Constants> fill(const std::string& constants) {
+    Result<Constants> fill(const std::string& constants) {
         test::writeText(folder.at("f.json"), "{\"constants\": " + constants + "}");
         return fillConstants(effect, members, readFixture(folder.at("f.json")).value());
     }
@@ -64,7 +64,7 @@ TEST_F(BlockLayout, NumbersLandWhereTheShaderReadsThem) {
         "gSquare": [[11, 12, 13, 14], [21, 22, 23, 24], [31, 32, 33, 34], [41, 42, 43, 44]],
         "gByRows": [[11, 12, 13, 14], [21, 22, 23, 24], [31, 32, 33, 34], [41, 42, 43, 44]],
         "gWide": [[1, 2, 3], [4, 5, 6]], "gMany": [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12]], "gLoose": [7, 8]})");
-    ASSERT_TRUE(constants.has_value()) << constants.error();
+    ASSERT_TRUE(constants.has_value()) << constants.error().message;
     EXPECT_TRUE(constants->unset.empty());
     EXPECT_EQ(at<float>(*constants, "gOne", 0), 0.5f);
     EXPECT_EQ(at<float>(*constants, "gThree", 8), 3.0f);
@@ -99,7 +99,7 @@ TEST_F(BlockLayout, MistakesAreAnsweredWithTypeAndRemedy) {
     for (const auto& [text, expected] : mistakes) {
         const auto constants = fill(text);
         ASSERT_FALSE(constants.has_value()) << text;
-        EXPECT_NE(constants.error().find(expected), std::string::npos) << constants.error();
+        EXPECT_NE(constants.error().message.find(expected), std::string::npos) << constants.error().message;
     }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 struct FixtureFile : testing::Test {
     test::Folder folder;
-    Outcome<Fixture> read(const std::string& text) {
+    Result<Fixture> read(const std::string& text) {
         test::writeText(folder.at("f.json"), text);
         return readFixture(folder.at("f.json"));
     }
@@ -21,14 +21,14 @@ struct FixtureFile : testing::Test {
         const auto fixture = read(text);
         if (fixture) return "no complaint";
         const std::string start = folder.at("f.json") + ": ";
-        EXPECT_EQ(fixture.error().substr(0, start.size()), start);
-        return fixture.error().substr(std::min(start.size(), fixture.error().size()));
+        EXPECT_EQ(fixture.error().message.substr(0, start.size()), start);
+        return fixture.error().message.substr(std::min(start.size(), fixture.error().message.size()));
     }
 };
 
 TEST_F(FixtureFile, AnEmptyOneHasDefaults) {
     const auto fixture = read("{}");
-    ASSERT_TRUE(fixture.has_value()) << fixture.error();
+    ASSERT_TRUE(fixture.has_value()) << fixture.error().message;
     EXPECT_EQ(fixture->width, 96u);
     EXPECT_EQ(fixture->format, VK_FORMAT_R32G32B32A32_SFLOAT);
     EXPECT_EQ(std::get<Shape>(fixture->geometry), Shape::Quad);
@@ -42,7 +42,7 @@ TEST_F(FixtureFile, EveryFieldIsRead) {
         "textures": {"S": {"generate": "checker", "size": [4, 2], "cells": [2, 1], "colours": [[1, 0, 0], [0, 1, 0, 0.5]]},
                      "T": {"image": "pictures/wood.png"}},
         "geometry": {"vertices": {"position": [[0, 0], [1, 0], [0, 1]], "TEXCOORD3": [[1], [2], [3]]}}})");
-    ASSERT_TRUE(fixture.has_value()) << fixture.error();
+    ASSERT_TRUE(fixture.has_value()) << fixture.error().message;
     EXPECT_EQ(fixture->height, 16u);
     EXPECT_EQ(fixture->tolerance, Tolerance::Byte);
     EXPECT_EQ(fixture->clear, (std::array<float, 4>{0.5f, 0.25f, 1.0f, 1.0f}));
@@ -68,7 +68,7 @@ TEST_F(FixtureFile, TransformsMultiplyColumnVectorsFromTheRight) {
         "m": {"product": [{"translate": [1, 2, 3]}, {"rotate": {"axis": [0, 0, 1], "degrees": 90}}, {"scale": [2, 2, 2]}]},
         "v": {"lookAt": {"eye": [0, 0, 5], "target": [0, 0, 0]}},
         "p": {"perspective": {"fov": 90, "near": 1, "far": 3}}, "i": {"identity": true}}})");
-    ASSERT_TRUE(fixture.has_value()) << fixture.error();
+    ASSERT_TRUE(fixture.has_value()) << fixture.error().message;
     const auto apply = [&](const char* name, std::array<double, 4> point) {
         std::array<double, 4> out{};
         for (int row = 0; row < 4; ++row)
@@ -160,12 +160,12 @@ TEST_F(FixtureFile, DeepNestingIsRefusedWhereverItStands) {
 TEST_F(FixtureFile, AFolderIsCalledOne) {
     const auto fixture = readFixture(folder.path());
     ASSERT_FALSE(fixture.has_value());
-    EXPECT_EQ(fixture.error(),
+    EXPECT_EQ(fixture.error().message,
               folder.path() + ": this is a folder; name a fixture file, as in " + folder.at("NAME.rig.json"));
 }
 
 TEST_F(FixtureFile, AMissingFileIsNamed) {
-    EXPECT_EQ(readFixture(folder.at("none.json")).error(),
+    EXPECT_EQ(readFixture(folder.at("none.json")).error().message,
               folder.at("none.json") + ": cannot be read; name a fixture file that is there");
 }
 

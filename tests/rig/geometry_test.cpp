@@ -73,7 +73,7 @@ TEST(Geometry, AStreamIsAsWideAsWhatIsRead) {
     geometry.vertices["BLENDINDICES0"] = {{-3}, {0}, {0}};
     geometry.indices = {0, 1, 2};
     const auto stream = vertexStream(module, geometry);
-    ASSERT_TRUE(stream.has_value()) << stream.error();
+    ASSERT_TRUE(stream.has_value()) << stream.error().message;
     EXPECT_EQ(stream->stride, 28u);
     EXPECT_EQ(stream->bytes.size(), 84u);
     float floats[6];
@@ -85,7 +85,7 @@ TEST(Geometry, AStreamIsAsWideAsWhatIsRead) {
     EXPECT_EQ(stream->attributes[2].format, VK_FORMAT_R32_SINT);
 
     geometry.vertices.erase("TEXCOORD0");
-    EXPECT_NE(vertexStream(module, geometry).error().find("vs reads TEXCOORD0"), std::string::npos);
+    EXPECT_NE(vertexStream(module, geometry).error().message.find("vs reads TEXCOORD0"), std::string::npos);
 }
 
 }  // namespace

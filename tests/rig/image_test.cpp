@@ -24,7 +24,7 @@ TEST(ImageFile, ExrKeepsEveryBitOfOneToFourChannels) {
         const std::string path = folder.at("x.exr");
         ASSERT_TRUE(writeExr(path, image).has_value());
         const auto read = readImage(path);
-        ASSERT_TRUE(read.has_value()) << read.error();
+        ASSERT_TRUE(read.has_value()) << read.error().message;
         ASSERT_TRUE(read->sameShape(image));
         for (std::size_t i = 0; i < image.values.size(); ++i)
             EXPECT_EQ(std::bit_cast<std::uint32_t>(read->values[i]), std::bit_cast<std::uint32_t>(image.values[i]))
@@ -46,7 +46,7 @@ TEST(ImageFile, PngComesBackAsStored) {
     const test::Folder folder;
     ASSERT_TRUE(writePng(folder.at("x.png"), 2, 1, {255, 128, 0, 1, 2, 3}).has_value());
     const auto read = readImage(folder.at("x.png"));
-    ASSERT_TRUE(read.has_value()) << read.error();
+    ASSERT_TRUE(read.has_value()) << read.error().message;
     EXPECT_EQ(read->channels, 3);
     EXPECT_EQ(read->at(0, 0, 0), 1.0f);
     EXPECT_FLOAT_EQ(read->at(0, 0, 1), 128.0f / 255.0f);
@@ -55,12 +55,12 @@ TEST(ImageFile, PngComesBackAsStored) {
 
 TEST(ImageFile, WhatCannotBeReadOrWrittenIsSaidInOneSentence) {
     const test::Folder folder;
-    EXPECT_EQ(readImage(folder.at("x.exr")).error(), folder.at("x.exr") + ": cannot be read: there is no such file");
+    EXPECT_EQ(readImage(folder.at("x.exr")).error().message, folder.at("x.exr") + ": cannot be read: there is no such file");
     test::writeText(folder.at("bad.exr"), "no image");
-    EXPECT_NE(readImage(folder.at("bad.exr")).error().find("cannot be read"), std::string::npos);
+    EXPECT_NE(readImage(folder.at("bad.exr")).error().message.find("cannot be read"), std::string::npos);
     const auto written = writeExr(folder.at("missing/x.exr"), blankImage(1, 1, 1));
     ASSERT_FALSE(written.has_value());
-    EXPECT_NE(written.error().find("cannot be written"), std::string::npos);
+    EXPECT_NE(written.error().message.find("cannot be written"), std::string::npos);
 }
 
 }  // namespace

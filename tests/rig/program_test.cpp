@@ -124,7 +124,7 @@ TEST_F(Program, AnImageFileIsATexture) {
                            "textures": {"PictureSampler": {"image": "two.exr"}}})");
     rig({manifest, fixture, "--goldens", goldens, "--update-goldens"});
     const auto picture = rig::readImage(goldens + "/picture.exr");
-    ASSERT_TRUE(picture.has_value()) << picture.error();
+    ASSERT_TRUE(picture.has_value()) << picture.error().message;
     EXPECT_EQ(picture->at(0, 0, 0), 0.0f);
     EXPECT_EQ(picture->at(7, 7, 0), 0.5f);
     EXPECT_EQ(picture->at(0, 0, 3), 1.0f);  // what has no alpha is opaque
@@ -150,7 +150,7 @@ TEST_F(Program, SeveralTargetsAndPassesThatWriteFewerOfThem) {
         const Ran ran = rig({two, fixture, "--goldens", own});
         EXPECT_EQ(ran.status, 0) << ran.text;
         const auto picture = rig::readImage(own + "/t.depth.exr");
-        ASSERT_TRUE(picture.has_value()) << picture.error();
+        ASSERT_TRUE(picture.has_value()) << picture.error().message;
         ASSERT_EQ(picture->height, 8);
         EXPECT_EQ(std::vector<float>(&picture->values[0], &picture->values[0] + 4), (std::vector<float>{1, 0, 1, 1}));
         EXPECT_EQ(std::vector<float>(&picture->values[64], &picture->values[64] + 4), (std::vector<float>{0, 1, 0, 1}));

@@ -44,7 +44,7 @@ TEST(Report, AFailureLeavesItsPicturesItsFiguresAndAPage) {
     const Image expected = grey(0.5f);
     const Failure failure = failureOf("lamp");
     const auto reported = reportFailure(folder.path(), failure, &image, &expected);
-    ASSERT_TRUE(reported.has_value()) << reported.error();
+    ASSERT_TRUE(reported.has_value()) << reported.error().message;
 
     const std::string entry = "entries/" + entryKey(failure.subject) + "/";
     EXPECT_EQ(test::listing(folder.path()), ".lock\n" + entry + "difference.exr\n" + entry + "difference.png\n" +
@@ -178,7 +178,7 @@ TEST(Report, AFolderThatCannotBeWrittenIsNamed) {
     test::writeText(folder.at("report"), "a file where the folder should be");
     const auto reported = reportFailure(folder.at("report"), failureOf("lamp"), nullptr, nullptr);
     ASSERT_FALSE(reported.has_value());
-    EXPECT_NE(reported.error().find(folder.at("report")), std::string::npos) << reported.error();
+    EXPECT_NE(reported.error().message.find(folder.at("report")), std::string::npos) << reported.error().message;
 }
 
 TEST(Report, AStrangersPageIsKept) {
@@ -188,7 +188,7 @@ TEST(Report, AStrangersPageIsKept) {
         test::writeText(folder.at("index.html"), page);
         const auto reported = reportFailure(folder.path(), failureOf("lamp"), nullptr, nullptr);
         ASSERT_FALSE(reported.has_value());
-        EXPECT_EQ(reported.error(), folder.path() +
+        EXPECT_EQ(reported.error().message, folder.path() +
                                         ": the report cannot be written: its index.html is no page of failing "
                                         "comparisons, and would be lost; choose another folder");
         EXPECT_EQ(test::listing(folder.path()), "index.html\n");

@@ -14,7 +14,7 @@ GoldenVerdict update(const std::string& path, const Image& image, GoldenVerdict 
     std::error_code error;
     std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
     if (const auto written = writeExr(path, image); !written)
-        verdict.reason = written.error();
+        verdict.reason = written.error().message;
     else
         verdict.reason =
             fmt::format("the golden {} was {}; look at it, keep it with the sources, and run again without the switch",
@@ -34,7 +34,7 @@ GoldenVerdict checkGolden(const GoldenStore& store, const std::string& name, con
             verdict.expected = std::move(*golden);
             verdict.reason = whyDifferent(image, *verdict.expected, tolerance);
         } else {
-            verdict.reason = golden.error();
+            verdict.reason = golden.error().message;
         }
     } else {
         verdict.reason = whyNotFinite(image);

@@ -45,7 +45,7 @@ private:
     bool held_ = false;
 };
 
-tl::unexpected<std::string> cannotWrite(const fs::path& folder, const std::string& reason) {
+tl::unexpected<Error> cannotWrite(const fs::path& folder, const std::string& reason) {
     return tl::unexpected(
         fmt::format("{}: the report cannot be written: {}; choose another folder", folder.string(), reason));
 }
@@ -63,7 +63,7 @@ bool holdsAnotherPage(const fs::path& folder) {
     return start.find(pageMark) == std::string::npos;
 }
 
-Outcome<void> rebuildPage(const fs::path& folder) {
+Result<void> rebuildPage(const fs::path& folder) {
     if (holdsAnotherPage(folder)) return cannotWrite(folder, anotherPage);
     const std::string why =
         permgen::write_files({{(folder / "index.html").string(), reportPage((folder / "entries").string())}});
@@ -78,7 +78,7 @@ std::uint32_t hashOf(std::string_view text) {
     return hash;
 }
 
-Outcome<void> replaceEntry(const fs::path& folder, const Failure& failure, const Image* image, const Image* expected) {
+Result<void> replaceEntry(const fs::path& folder, const Failure& failure, const Image* image, const Image* expected) {
     const fs::path place = folder / "entries" / entryKey(failure.subject);
     const fs::path partial = folder / fmt::format(".partial.{}", ::getpid());
     std::error_code error;
@@ -86,7 +86,7 @@ Outcome<void> replaceEntry(const fs::path& folder, const Failure& failure, const
     if (!fs::create_directory(partial, error)) return cannotWrite(folder, error.message());
     if (auto written = writeEntry(partial, failure, image, expected); !written) {
         fs::remove_all(partial, error);
-        return cannotWrite(folder, written.error());
+        return cannotWrite(folder, written.error().message);
     }
     fs::remove_all(place, error);
     fs::rename(partial, place, error);
@@ -108,7 +108,7 @@ std::string entryKey(const Subject& subject) {
     return fmt::format("{}.{:08x}", key.substr(0, readable), hashOf(whole));
 }
 
-Outcome<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
+Result<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
                             const Image* expected) {
     if (holdsAnotherPage(folder)) return cannotWrite(folder, anotherPage);
     std::error_code error;
@@ -120,7 +120,7 @@ Outcome<void> reportFailure(const std::string& folder, const Failure& failure, c
     return rebuildPage(folder);
 }
 
-Outcome<void> reportPass(const std::string& folder, const Subject& subject) {
+Result<void> reportPass(const std::string& folder, const Subject& subject) {
     const fs::path place = fs::path(folder) / "entries" / entryKey(subject);
     std::error_code error;
     if (!fs::exists(place, error)) return {};
@@ -131,7 +131,7 @@ Outcome<void> reportPass(const std::string& folder, const Subject& subject) {
     return rebuildPage(folder);
 }
 
-Outcome<void> reportTechniques(const std::string& folder, const std::string& effect,
+Result<void> reportTechniques(const std::string& folder, const std::string& effect,
                                const std::vector<std::string>& techniques) {
     const std::string entries = (fs::path(folder) / "entries").string();
     std::error_code error;

@@ -40,14 +40,14 @@ struct Panel {
     std::vector<std::uint8_t> rgb;
 };
 
-Outcome<void> writePanel(const std::filesystem::path& folder, const Panel& panel) {
+Result<void> writePanel(const std::filesystem::path& folder, const Panel& panel) {
     if (auto written = writeExr((folder / (panel.name + ".exr")).string(), *panel.image); !written) return written;
     return writePng((folder / (panel.name + ".png")).string(), panel.image->width, panel.image->height, panel.rgb);
 }
 
 }  // namespace
 
-Outcome<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
+Result<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
                          const Image* expected) {
     const double white = whitePoint(image, expected);
     Json json = {{"effect", failure.subject.effect}, {"technique", failure.subject.technique},

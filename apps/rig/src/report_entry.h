@@ -8,7 +8,7 @@
 namespace tyndall::rig {
 
 /// Fills the folder, which exists, with the failure's pictures and entry.json.
-Outcome<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
+Result<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
                          const Image* expected);
 
 }  // namespace tyndall::rig

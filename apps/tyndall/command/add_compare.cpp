@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "../image/write_picture.h"
+#include <kit/image/write_picture.h>
 #include "add_options.h"
 
 namespace tyndall::app {
@@ -28,11 +28,11 @@ void addCompare(CLI::App& app, CompareOptions& options) {
     addOptional(app, "--max-dead-zone", most.deadZone, "R", "fail where a reference value above this became 0");
 }
 
-Outcome<void> checkCompare(const CompareOptions& options) {
+Result<void> checkCompare(const CompareOptions& options) {
     if (options.difference && !pictureFormat(*options.difference))
         return fail("--difference: {} is neither .png nor .exr; give the picture one of these extensions",
                     *options.difference);
-    const auto check = [](const char* name, std::optional<double> value) -> Outcome<void> {
+    const auto check = [](const char* name, std::optional<double> value) -> Result<void> {
         if (!value || (*value >= 0.0 && std::isfinite(*value))) return {};
         return fail("{}: must be a number from 0", name);
     };

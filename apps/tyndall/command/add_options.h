@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "../options.h"
+#include "options.h"
 #include "words.h"
 
 namespace tyndall::app {
@@ -43,22 +43,22 @@ CLI::Option* addOptional(CLI::App& app, const char* name, std::optional<T>& valu
 
 /// Scene, camera, size and time. `size` is as written; checkView() reads it.
 void addViewOptions(CLI::App& app, ViewOptions& view, std::string& size);
-Outcome<void> checkView(ViewOptions& view, const std::string& size);
+Result<void> checkView(ViewOptions& view, const std::string& size);
 
 /// --technique, as the terms it stands for.
 void addTechnique(CLI::App& app, std::optional<TermSet>& terms, const std::string& help);
 
 void addShadowSize(CLI::App& app, std::uint32_t& size);
-Outcome<void> checkShadowSize(std::uint32_t size);
+Result<void> checkShadowSize(std::uint32_t size);
 
 // Each command's own: options as written, and whether they make sense together.
 void addRender(CLI::App& app, RenderOptions& options, std::string& size);
-Outcome<void> checkRender(RenderOptions& options, bool outputGiven);
+Result<void> checkRender(RenderOptions& options, bool outputGiven);
 void addExplain(CLI::App& app, ExplainOptions& options, std::string& size);
-Outcome<void> checkShafts(const ShaftOptions& options);
+Result<void> checkShafts(const ShaftOptions& options);
 void addReference(CLI::App& app, ReferenceOptions& options, std::string& size);
-Outcome<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven);
+Result<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven);
 void addCompare(CLI::App& app, CompareOptions& options);
-Outcome<void> checkCompare(const CompareOptions& options);
+Result<void> checkCompare(const CompareOptions& options);
 
 }  // namespace tyndall::app

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "../image/write_picture.h"
+#include <kit/image/write_picture.h>
 #include "add_options.h"
 
 namespace tyndall::app {
@@ -21,7 +21,7 @@ void addReference(CLI::App& app, ReferenceOptions& options, std::string& size) {
     addOptional(app, "--stats", options.stats, "FILE.json", "what it took, and the accuracy reached");
 }
 
-Outcome<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven) {
+Result<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven) {
     if (options.output.empty()) return fail("-o: the picture's name is empty; give one");
     if (pictureFormat(options.output) != PictureFormat::Exr)
         return fail("-o: {} cannot hold radiance without limits; write an .exr", options.output);

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "../image/write_picture.h"
+#include <kit/image/write_picture.h>
 #include "add_options.h"
 
 namespace tyndall::app {
@@ -43,7 +43,7 @@ void addExplain(CLI::App& app, ExplainOptions& options, std::string& size) {
     app.add_flag("--json", options.json, "as JSON");
 }
 
-Outcome<void> checkShafts(const ShaftOptions& shafts) {
+Result<void> checkShafts(const ShaftOptions& shafts) {
     if (shafts.planes && (*shafts.planes < 1 || *shafts.planes > 65536))
         return fail("--planes: {} is out of bounds; take from 1 to 65536", *shafts.planes);
     if (shafts.mostSlices && (*shafts.mostSlices < 1 || *shafts.mostSlices > 65536))
@@ -66,7 +66,7 @@ Outcome<void> checkShafts(const ShaftOptions& shafts) {
     return {};
 }
 
-Outcome<void> checkRender(RenderOptions& options, bool outputGiven) {
+Result<void> checkRender(RenderOptions& options, bool outputGiven) {
     if (auto checked = checkShafts(options.shafts); !checked) return checked;
     if (outputGiven && options.output.empty())
         return fail("-o: the picture's name is empty; give one, or leave -o out");

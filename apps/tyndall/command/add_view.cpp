@@ -11,7 +11,7 @@ void addViewOptions(CLI::App& app, ViewOptions& view, std::string& size) {
     app.add_option("--time", view.time, "moment of the animations, seconds; 0")->type_name("S");
 }
 
-Outcome<void> checkView(ViewOptions& view, const std::string& size) {
+Result<void> checkView(ViewOptions& view, const std::string& size) {
     const auto parsed = parseSize(size);
     if (!parsed) return tl::unexpected(parsed.error());
     view.size = *parsed;
@@ -24,7 +24,7 @@ void addTechnique(CLI::App& app, std::optional<TermSet>& terms, const std::strin
            "--technique",
            [&terms](const std::string& name) {
                const auto parsed = parseTechnique(name);
-               if (!parsed) throw CLI::ValidationError(parsed.error());
+               if (!parsed) throw CLI::ValidationError(parsed.error().message);
                terms = *parsed;
            },
            help)
@@ -35,7 +35,7 @@ void addShadowSize(CLI::App& app, std::uint32_t& size) {
     app.add_option("--shadow-size", size, "texels a side of a shadow map, 1 to 16384; 1024")->type_name("N");
 }
 
-Outcome<void> checkShadowSize(std::uint32_t size) {
+Result<void> checkShadowSize(std::uint32_t size) {
     if (size < 1 || size > longestSide)
         return fail("--shadow-size: {} is out of bounds; take from 1 to {}", size, longestSide);
     return {};

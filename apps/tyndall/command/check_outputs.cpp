@@ -1,10 +1,10 @@
 #include "check_outputs.h"
 
-#include "../image/write_picture.h"
+#include <kit/image/write_picture.h>
 
 namespace tyndall::app {
 
-Outcome<void> checkOutputs(const std::string& scene, const std::string& picture,
+Result<void> checkOutputs(const std::string& scene, const std::string& picture,
                            const std::optional<std::string>& stats) {
     if (auto open = checkWritable(picture); !open) return open;
     if (sameFile(picture, scene)) return fail("-o: {} is the scene; name another file", picture);

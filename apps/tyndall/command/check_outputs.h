@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
 /// Neither takes the other's place nor that of the scene.
-Outcome<void> checkOutputs(const std::string& scene, const std::string& picture,
+Result<void> checkOutputs(const std::string& scene, const std::string& picture,
                            const std::optional<std::string>& stats);
 
 }  // namespace tyndall::app

@@ -28,14 +28,14 @@ std::string wrongLine(const CLI::App& app, const CLI::ParseError& wrong, int arg
 }
 
 template <class Options>
-Outcome<Request> accept(Outcome<void> checked, const Options& options) {
+Result<Request> accept(Result<void> checked, const Options& options) {
     if (!checked) return tl::unexpected(checked.error());
     return Request(options);
 }
 
 }  // namespace
 
-Outcome<Request> parseCommandLine(int argc, const char* const* argv) {
+Result<Request> parseCommandLine(int argc, const char* const* argv) {
     Written written;
     CLI::App app("Light shafts from glTF scenes.", "tyndall");
     app.require_subcommand(1);

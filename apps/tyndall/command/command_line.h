@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "../options.h"
+#include "options.h"
 
 namespace tyndall::app {
 
@@ -16,6 +16,6 @@ struct Help {
 using Request = std::variant<RenderOptions, ExplainOptions, ReferenceOptions, CompareOptions, Help>;
 
 /// Errors: the command line is wrong, and how to say it right.
-Outcome<Request> parseCommandLine(int argc, const char* const* argv);
+Result<Request> parseCommandLine(int argc, const char* const* argv);
 
 }  // namespace tyndall::app

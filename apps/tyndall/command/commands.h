@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../options.h"
+#include "options.h"
 #include "../progress.h"
 
 namespace tyndall::app {
@@ -18,10 +18,10 @@ struct Said {
     std::optional<std::string> verdict = std::nullopt;
 };
 
-Outcome<Said> render(const RenderOptions& options);
-Outcome<Said> explain(const ExplainOptions& options);
+Result<Said> render(const RenderOptions& options);
+Result<Said> explain(const ExplainOptions& options);
 /// `progress` is asked now and then whether to go on.
-Outcome<Said> reference(const ReferenceOptions& options, const Progress& progress);
-Outcome<Said> compare(const CompareOptions& options);
+Result<Said> reference(const ReferenceOptions& options, const Progress& progress);
+Result<Said> compare(const CompareOptions& options);
 
 }  // namespace tyndall::app

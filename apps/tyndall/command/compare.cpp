@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../image/difference.h"
-#include "../image/write_picture.h"
+#include <kit/image/difference.h>
+#include <kit/image/write_picture.h>
 #include "commands.h"
 #include "compare_report.h"
 #include "json_text.h"
@@ -10,14 +10,14 @@
 namespace tyndall::app {
 namespace {
 
-Outcome<void> checkDifference(const std::string& path, const CompareOptions& options) {
+Result<void> checkDifference(const std::string& path, const CompareOptions& options) {
     for (const std::string& input : {options.image, options.reference})
         if (sameFile(path, input)) return fail("--difference: {} is {} itself; name another file", path, input);
     return checkWritable(path);
 }
 
 /// Returns what the picture shows.
-Outcome<std::string> writeDifference(const std::string& path, const Comparison& comparison,
+Result<std::string> writeDifference(const std::string& path, const Comparison& comparison,
                                      const CompareOptions& options) {
     const study::FloatImage signedDifference = difference(comparison.image.image, comparison.reference.image);
     if (pictureFormat(path) == PictureFormat::Exr) {
@@ -36,7 +36,7 @@ Outcome<std::string> writeDifference(const std::string& path, const Comparison& 
 
 }  // namespace
 
-Outcome<Said> compare(const CompareOptions& options) {
+Result<Said> compare(const CompareOptions& options) {
     if (options.difference)
         if (auto checked = checkDifference(*options.difference, options); !checked)
             return tl::unexpected(checked.error());

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "../image/read_picture.h"
-#include "../options.h"
+#include <kit/image/read_picture.h>
+#include "options.h"
 
 namespace tyndall::app {
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Plans as render does: with the scene's depth, and the exposure of its surfaces. Both have to be drawn; where no
 /// device can, the plan does without them.
-Outcome<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
+Result<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
     auto device = headless::Device::create();
     if (!device) return {};
     auto renderer = SceneRenderer::create(*device, planned.scene);
@@ -20,7 +20,7 @@ Outcome<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) 
 
 }  // namespace
 
-Outcome<Said> explain(const ExplainOptions& options) {
+Result<Said> explain(const ExplainOptions& options) {
     auto planned = planScene(options.view, options.shafts);
     if (!planned) return tl::unexpected(planned.error());
     if (auto done = planAsDrawn(*planned, options); !done) return tl::unexpected(done.error());

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../options.h"
+#include "options.h"
 
 namespace tyndall::app {
 

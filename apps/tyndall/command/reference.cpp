@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "../image/write_picture.h"
+#include <kit/image/write_picture.h>
 #include "../frame/reference_scene.h"
 #include "check_outputs.h"
 #include "commands.h"
@@ -25,7 +25,7 @@ Picture pictureOf(const study::ReferenceImage& image) {
     return picture;
 }
 
-Outcome<study::ReferenceScene> sceneFor(const ReferenceOptions& options, const ViewedScene& viewed, ReferenceRun& run) {
+Result<study::ReferenceScene> sceneFor(const ReferenceOptions& options, const ViewedScene& viewed, ReferenceRun& run) {
     if (options.mode == study::Mode::Ideal) return idealScene(viewed, options.view);
     auto device = headless::Device::create();
     if (!device) return fail("{}", device.error().message);
@@ -35,7 +35,7 @@ Outcome<study::ReferenceScene> sceneFor(const ReferenceOptions& options, const V
 
 }  // namespace
 
-Outcome<Said> reference(const ReferenceOptions& options, const Progress& progress) {
+Result<Said> reference(const ReferenceOptions& options, const Progress& progress) {
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());
     ReferenceRun run;

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../options.h"
+#include "options.h"
 #include "../frame/view_scene.h"
 
 namespace tyndall::app {

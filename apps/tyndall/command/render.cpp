@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "../image/write_picture.h"
+#include <kit/image/write_picture.h>
 #include "../frame/pipeline_cache_file.h"
 #include "../frame/scene_renderer.h"
 #include "check_outputs.h"
@@ -15,7 +15,7 @@ namespace tyndall::app {
 namespace {
 
 /// What cannot be used as a cache is a note later on; another file's place is a mistake in the command.
-Outcome<void> checkPipelineCache(const RenderOptions& options) {
+Result<void> checkPipelineCache(const RenderOptions& options) {
     if (!options.pipelineCache || *options.pipelineCache == noPipelineCache) return {};
     const std::string& cache = *options.pipelineCache;
     const auto taken = [&cache](const std::string& by) { return sameFile(cache, by); };
@@ -28,7 +28,7 @@ Outcome<void> checkPipelineCache(const RenderOptions& options) {
 
 }  // namespace
 
-Outcome<Said> render(const RenderOptions& options) {
+Result<Said> render(const RenderOptions& options) {
     // What can be known to fail is asked first: rendering takes seconds.
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());

@@ -43,7 +43,7 @@ struct Costs {
 
 Costs costsOf(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     Costs costs{lightCosts(planned.plan, planned.view, view.size, shafts.shadowSize), {}};
-    if (const Outcome<Plan> everything = planEverything(planned, view))
+    if (const Result<Plan> everything = planEverything(planned, view))
         costs.forced = lightCosts(*everything, planned.view, view.size, shafts.shadowSize);
     return costs;
 }

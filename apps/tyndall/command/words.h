@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "../options.h"
+#include "options.h"
 
 namespace tyndall::app {
 

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "../options.h"
+#include "options.h"
 
 namespace tyndall::app {
 

@@ -22,7 +22,7 @@ std::vector<LightTextures> texturesOf(const PlannedScene& planned, const ShadowM
     return textures;
 }
 
-Outcome<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
+Result<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
                          std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
                          headless::FragmentCounter* counter, FrameStatistics& statistics) {
     const ShaftTargets shafts{.extent = targets.colour.extent(),

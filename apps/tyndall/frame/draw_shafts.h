@@ -20,7 +20,7 @@ std::vector<LightTextures> texturesOf(const PlannedScene& planned, const ShadowM
 
 /// Draws `plan`, which `frame` holds, over what targets.colour shows. `measure` adds the slices twice and takes the
 /// time of the second, so that no compilation is in it. `counter` may be null.
-Outcome<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
+Result<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
                          std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
                          headless::FragmentCounter* counter, FrameStatistics& statistics);
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "../options.h"
+#include "options.h"
 
 namespace tyndall::app {
 

@@ -5,7 +5,7 @@
 namespace tyndall::app {
 namespace {
 
-Outcome<void> make(const headless::Device& device, headless::Image& image, VkExtent2D extent, VkFormat format,
+Result<void> make(const headless::Device& device, headless::Image& image, VkExtent2D extent, VkFormat format,
                    VkImageUsageFlags usage, std::string_view name) {
     const VkExtent2D there = image.extent();
     if (there.width == extent.width && there.height == extent.height && image.format() == format) return {};
@@ -17,7 +17,7 @@ Outcome<void> make(const headless::Device& device, headless::Image& image, VkExt
 
 }  // namespace
 
-Outcome<void> fit(const headless::Device& device, FrameTargets& targets, Size size) {
+Result<void> fit(const headless::Device& device, FrameTargets& targets, Size size) {
     const VkExtent2D extent{size.width, size.height};
     auto colour = make(device, targets.colour, extent, colourFormat,
                        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, "picture");
@@ -28,7 +28,7 @@ Outcome<void> fit(const headless::Device& device, FrameTargets& targets, Size si
         "scene depth");
 }
 
-Outcome<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation) {
+Result<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation) {
     return make(device, targets.accumulation, targets.colour.extent(), accumulationFormat(accumulation),
                 VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, "accumulated slices");
 }

@@ -3,7 +3,7 @@
 
 #include <headless/image.h>
 
-#include "../options.h"
+#include "options.h"
 
 namespace tyndall::app {
 
@@ -17,9 +17,9 @@ struct FrameTargets {
 };
 
 /// Makes colour and depth of that size, unless they are there.
-Outcome<void> fit(const headless::Device& device, FrameTargets& targets, Size size);
+Result<void> fit(const headless::Device& device, FrameTargets& targets, Size size);
 
 /// Makes the accumulation target, as large as colour and depth, unless it is there.
-Outcome<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation);
+Result<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation);
 
 }  // namespace tyndall::app

@@ -9,7 +9,7 @@ namespace {
 /// it is not, and 8 bits would band in dark linear values.
 constexpr VkFormat imageFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-Outcome<headless::Image> uploadImage(const headless::Device& device, const Image& source) {
+Result<headless::Image> uploadImage(const headless::Device& device, const Image& source) {
     auto image = headless::Image::create(device, {.extent = {source.width, source.height},
                                                   .format = imageFormat,
                                                   .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
@@ -23,7 +23,7 @@ Outcome<headless::Image> uploadImage(const headless::Device& device, const Image
 }
 
 template <class T>
-Outcome<headless::Buffer> hostBuffer(const headless::Device& device, const std::vector<T>& values,
+Result<headless::Buffer> hostBuffer(const headless::Device& device, const std::vector<T>& values,
                                      VkBufferUsageFlags usage, std::string_view name) {
     auto buffer = headless::Buffer::create(device, std::as_bytes(std::span(values)), usage, name);
     if (!buffer) return fail("the scene's meshes could not be uploaded: {}", buffer.error().message);
@@ -32,7 +32,7 @@ Outcome<headless::Buffer> hostBuffer(const headless::Device& device, const std::
 
 }  // namespace
 
-Outcome<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene) {
+Result<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene) {
     GpuScene gpu;
     gpu.images.resize(scene.images.size());
     std::vector<Vertex> vertices;
@@ -53,7 +53,7 @@ Outcome<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scen
     return gpu;
 }
 
-Outcome<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
+Result<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
                            GpuScene& gpu) {
     for (std::size_t i = 0; i < scene.images.size(); ++i) {
         if (!wanted[i] || gpu.images[i].handle()) continue;

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 #include "../scene/scene.h"
 
 namespace tyndall::app {
@@ -21,10 +21,10 @@ struct GpuScene {
     std::uint64_t imagesUploaded = 0, imageBytes = 0;
 };
 
-Outcome<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene);
+Result<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene);
 
 /// The images that are `wanted`, by Scene::images, and not there yet.
-Outcome<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
+Result<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
                            GpuScene& gpu);
 
 /// An instance where it stands now.

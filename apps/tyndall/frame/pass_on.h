@@ -5,18 +5,18 @@
 
 #include <utility>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
 /// The value, or the error with `what` before it.
 template <class T>
-Outcome<T> passOn(Result<T> result, const char* what) {
+Result<T> passOn(Result<T> result, const char* what) {
     if (result) return std::move(*result);
     return fail("{}: {}", what, result.error().message);
 }
 
-inline Outcome<void> passOn(const Result<void>& result, const char* what) {
+inline Result<void> passOn(const Result<void>& result, const char* what) {
     if (result) return {};
     return fail("{}: {}", what, result.error().message);
 }

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "../image/write_picture.h"
+#include <kit/image/write_picture.h>
 
 namespace tyndall::app {
 namespace {
@@ -43,7 +43,7 @@ void makeFolder(const std::filesystem::path& folder) {
 }
 
 /// Errors: something other than a file, one that cannot be read or is too large.
-Outcome<std::vector<std::byte>> readFile(const std::string& path) {
+Result<std::vector<std::byte>> readFile(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found) return {};
@@ -83,7 +83,7 @@ PipelineCacheFile PipelineCacheFile::open(const headless::Device& device, const 
     file.ours_ = bytes && isSealedPipelineCache(*bytes);
     if (!file.ours_) {
         notes.push_back(note(file.path_, fmt::format("{}; it is left alone: name another file with --pipeline-cache",
-                                                     bytes ? "is no pipeline cache of this program" : bytes.error())));
+                                                     bytes ? "is no pipeline cache of this program" : bytes.error().message)));
         file.create({}, notes);
         return file;
     }
@@ -142,7 +142,7 @@ void PipelineCacheFile::save(std::vector<std::string>& notes) {
     const auto written =
         writeText(path_, std::string_view(reinterpret_cast<const char*>(sealed.data()), sealed.size()));
     if (!written) {
-        notes.push_back(fmt::format("note: pipelines are not kept: {}", written.error()));
+        notes.push_back(fmt::format("note: pipelines are not kept: {}", written.error().message));
         return;
     }
     held_ = sealed;

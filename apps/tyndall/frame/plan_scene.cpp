@@ -39,7 +39,7 @@ Surroundings surroundingsOf(const PlannedScene& planned) {
     return known;
 }
 
-Outcome<void> makePlan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+Result<void> makePlan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     planned.options = optionsFor(planned, view, shafts);
     const auto made = planned.planner.plan(planned.lights, planned.view, planned.options, surroundingsOf(planned),
                                            planned.plan);
@@ -49,7 +49,7 @@ Outcome<void> makePlan(PlannedScene& planned, const ViewOptions& view, const Sha
 
 }  // namespace
 
-Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts) {
+Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts) {
     auto viewed = viewScene(view);
     if (!viewed) return tl::unexpected(viewed.error());
     PlannedScene planned;
@@ -60,7 +60,7 @@ Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& sha
     return planned;
 }
 
-Outcome<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+Result<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     planned.depth.reset();
     planned.view.sceneDepth = View{}.sceneDepth;
     planned.instancesInLight = instancesByLight(planned.scene, planned.lights);
@@ -72,11 +72,11 @@ Outcome<void> lookAround(PlannedScene& planned, const ViewOptions& view, const S
     }
     auto needed = neededLights(planned.planner, planned.lights, planned.view, surroundingsOf(planned.facts),
                                shafts.shadowSize, planned.surfacePlan, planned.surfaceLights);
-    if (!needed) return fail("{}: {}", view.scene, needed.error());
+    if (!needed) return fail("{}: {}", view.scene, needed.error().message);
     return {};
 }
 
-Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
+Result<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
                         const ShaftOptions& shafts) {
     planned.view.sceneDepth = depth.farthest;
     planned.depth = std::move(depth);
@@ -84,7 +84,7 @@ Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayS
     return makePlan(planned, view, shafts);
 }
 
-Outcome<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view) {
+Result<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view) {
     PlanOptions options = planned.options;
     options.everything = true;
     options.terms.reset();

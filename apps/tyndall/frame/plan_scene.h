@@ -23,17 +23,17 @@ struct PlannedScene : ViewedScene {
 };
 
 /// Reads the scene and plans it, as far as that can be done before anything is drawn.
-Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts);
+Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts);
 
 /// To be called once camera, lights or instances have moved: finds out what plan() may know of the scene as it stands,
 /// and how its lamps light its surfaces. The depth of the frame before is forgotten.
-Outcome<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
+Result<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
 /// Plans again, once the scene's depth and the display's step are known.
-Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
+Result<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
                         const ShaftOptions& shafts);
 
 /// What the plan would be if nothing were left out.
-Outcome<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view);
+Result<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view);
 
 }  // namespace tyndall::app

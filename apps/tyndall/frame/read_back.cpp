@@ -4,7 +4,7 @@
 
 namespace tyndall::app {
 
-Outcome<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,
+Result<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,
                                       VkImageLayout layout) {
     const auto bytes = headless::readback(device, depth, layout);
     if (!bytes) return fail("a depth image could not be read back: {}", bytes.error().message);
@@ -13,7 +13,7 @@ Outcome<std::vector<float>> readDepth(const headless::Device& device, const head
     return values;
 }
 
-Outcome<Picture> readPicture(const headless::Device& device, const headless::Image& colour) {
+Result<Picture> readPicture(const headless::Device& device, const headless::Image& colour) {
     const auto bytes = headless::readback(device, colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     if (!bytes) return fail("the picture could not be read back: {}", bytes.error().message);
     Picture picture{.width = colour.extent().width, .height = colour.extent().height, .pixels = {}};

@@ -5,16 +5,16 @@
 
 #include <vector>
 
-#include "../image/picture.h"
-#include "../outcome.h"
+#include <kit/image/picture.h>
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
 /// A depth image's values, rows from the top. It is in `layout`, and stays in it.
-Outcome<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,
+Result<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,
                                       VkImageLayout layout);
 
 /// Red, green and blue of an image of four 32-bit floats in layout COLOR_ATTACHMENT_OPTIMAL, where it stays.
-Outcome<Picture> readPicture(const headless::Device& device, const headless::Image& colour);
+Result<Picture> readPicture(const headless::Device& device, const headless::Image& colour);
 
 }  // namespace tyndall::app

@@ -66,7 +66,7 @@ study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& o
     return scene;
 }
 
-Outcome<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
+Result<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
                                              const ViewOptions& options, std::uint32_t shadowSize) {
     study::ReferenceScene scene = commonPart(viewed, options, study::Mode::Hardware);
     auto renderer = SceneRenderer::create(device, viewed.scene);

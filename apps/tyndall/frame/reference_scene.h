@@ -5,8 +5,8 @@
 #include <study/reference.h>
 
 #include "view_scene.h"
-#include "../options.h"
-#include "../outcome.h"
+#include "options.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -16,7 +16,7 @@ study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& o
 
 /// What the renderer draws from: its shadow maps and its depth, drawn on `device` and read back, and textures
 /// rounded as they are uploaded, cones baked into them.
-Outcome<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
+Result<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
                                              const ViewOptions& options, std::uint32_t shadowSize);
 
 }  // namespace tyndall::app

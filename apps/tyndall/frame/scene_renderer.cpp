@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "../image/tone_map.h"
+#include <kit/image/tone_map.h>
 #include "all_cores.h"
 #include "draw_shafts.h"
 #include "pass_on.h"
@@ -44,7 +44,7 @@ std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
 
 }  // namespace
 
-Outcome<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene,
+Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene,
                                              VkPipelineCache cache) {
     auto renderer = Renderer::create({device.physicalDevice(), device.device(), cache});
     if (!renderer) return fail("{}", renderer.error().message);
@@ -55,7 +55,7 @@ Outcome<SceneRenderer> SceneRenderer::create(const headless::Device& device, con
     return SceneRenderer(device, std::move(*renderer), std::move(*pipelines), std::move(*gpu));
 }
 
-Outcome<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
+Result<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
                                             std::uint32_t shadowSize) {
     const auto time = maps_.draw(*device_, renderer_, viewed, lights, gpu_, shadowSize);
     if (!time) return tl::unexpected(time.error());
@@ -63,7 +63,7 @@ Outcome<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span
     return {};
 }
 
-Outcome<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
+Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
                                           std::uint32_t shadowSize, bool lit) {
     if (auto fitted = fit(*device_, targets_, size); !fitted) return fitted;
     if (lit)
@@ -90,7 +90,7 @@ Outcome<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<c
     return {};
 }
 
-Outcome<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
+Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
                                          double mostStep) {
     auto drawn = drawSurfaces(planned, planned.surfaceLights, view.size, shafts.shadowSize, view.layer == Layer::All);
     if (!drawn) return drawn;
@@ -107,7 +107,7 @@ Outcome<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOption
 }
 
 /// All that drawShafts() will draw with, on all cores.
-Outcome<void> SceneRenderer::preparePipelines(const Plan& plan) {
+Result<void> SceneRenderer::preparePipelines(const Plan& plan) {
     std::vector<TermSet> terms;
     for (const PlannedPart& part : plan.parts) terms.push_back(part.terms);
     const auto start = std::chrono::steady_clock::now();
@@ -122,7 +122,7 @@ Outcome<void> SceneRenderer::preparePipelines(const Plan& plan) {
     return prepared;
 }
 
-Outcome<void> SceneRenderer::drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure) {
+Result<void> SceneRenderer::drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure) {
     frame_.accumulate = frame_.composite = 0.0;
     frame_.fragments = frame_.shafts.draws = frame_.shafts.slicesDrawn = 0;
     frame_.fragmentsKnown = measure && device_->hasPipelineStatistics();
@@ -170,13 +170,13 @@ void SceneRenderer::finishStatistics() {
     frame_.deviceBytes = device_->peakMemoryAllocated() + frame_.frameDataBytes;
 }
 
-Outcome<void> SceneRenderer::plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+Result<void> SceneRenderer::plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     startFrame();
     if (auto looked = lookAround(planned, view, shafts); !looked) return looked;
     return planAsDrawn(planned, view, shafts, std::numeric_limits<double>::infinity());
 }
 
-Outcome<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
+Result<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
                                    bool measure) {
     startFrame();
     if (auto looked = lookAround(planned, view, shafts); !looked) return tl::unexpected(looked.error());

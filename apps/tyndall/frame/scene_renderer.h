@@ -8,7 +8,7 @@
 
 #include <limits>
 
-#include "../image/picture.h"
+#include <kit/image/picture.h>
 #include "plan_scene.h"
 #include "frame_statistics.h"
 #include "frame_targets.h"
@@ -28,22 +28,22 @@ public:
     /// For `scene` as it was loaded. Between frames its camera, lights and instances may move and change; its meshes,
     /// pictures, and which of them is used where, may not. `device` outlives the renderer, and so does `cache`, which
     /// pipelines are made with and which may be null.
-    static Outcome<SceneRenderer> create(const headless::Device& device, const Scene& scene,
+    static Result<SceneRenderer> create(const headless::Device& device, const Scene& scene,
                                          VkPipelineCache cache = VK_NULL_HANDLE);
 
     /// Draws `planned` as it stands: looks around in it, draws its surfaces, and plans anew with the depth and the
     /// exposure that come of them. `measure` adds the slices twice and times the second, so that no compilation is in
     /// the figure.
-    Outcome<Frame> draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts, bool measure);
+    Result<Frame> draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts, bool measure);
 
     /// draw() up to the plan.
-    Outcome<void> plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
+    Result<void> plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
     /// The parts of draw(), for what needs no more of it. `lights` has one entry for each of viewed.lights; those that
     /// call for a shadow map get one where surfaces are lit.
-    Outcome<void> drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
+    Result<void> drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
                                std::uint32_t shadowSize, bool lit);
-    Outcome<void> drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
+    Result<void> drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
                                  std::uint32_t shadowSize);
 
     const FrameTargets& targets() const { return targets_; }
@@ -56,10 +56,10 @@ private:
           surfacePipelines_(std::move(pipelines)),
           gpu_(std::move(gpu)) {}
 
-    Outcome<void> planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
+    Result<void> planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
                               double mostStep);
-    Outcome<void> drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure);
-    Outcome<void> preparePipelines(const Plan& plan);
+    Result<void> drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure);
+    Result<void> preparePipelines(const Plan& plan);
     void startFrame();
     void finishStatistics();
 

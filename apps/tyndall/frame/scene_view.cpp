@@ -16,7 +16,7 @@ MeshBounds boundsOf(const Mesh& mesh) {
 
 }  // namespace
 
-Outcome<const Camera*> chooseCamera(const Scene& scene, const std::optional<std::string>& name) {
+Result<const Camera*> chooseCamera(const Scene& scene, const std::optional<std::string>& name) {
     if (!name) return &scene.cameras.front();
     std::string names;
     for (const Camera& camera : scene.cameras) {

@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "../options.h"
+#include "options.h"
 #include "../scene/scene.h"
 
 namespace tyndall::app {
 
 /// The camera of that name, or the first. Errors: no such name; the message lists what there is.
-Outcome<const Camera*> chooseCamera(const Scene& scene, const std::optional<std::string>& name);
+Result<const Camera*> chooseCamera(const Scene& scene, const std::optional<std::string>& name);
 
 /// The camera's height is kept, its width follows the picture's shape.
 View viewFrom(const Camera& camera, Size size);

@@ -12,7 +12,7 @@ const headless::Image* ShadowMaps::image(std::size_t light) const {
     return slot.frame == frame_ ? &slot.image : nullptr;
 }
 
-Outcome<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::size_t light, std::uint32_t size) {
+Result<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::size_t light, std::uint32_t size) {
     if (slotOf_[light]) return *slotOf_[light];
     const auto oldest = std::ranges::min_element(slots_, {}, &Slot::frame);
     if (oldest != slots_.end() && oldest->frame != frame_) {
@@ -31,7 +31,7 @@ Outcome<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::si
     return *(slotOf_[light] = slots_.size() - 1);
 }
 
-Outcome<double> ShadowMaps::draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
+Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
                                  std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size) {
     if (size != size_) {
         slots_.clear();

@@ -25,7 +25,7 @@ public:
 
     /// Makes the maps of these lights, numbers into viewed.lights, show what stands in their volumes. Answers the
     /// milliseconds from submission to fence; 0 where every map showed it.
-    Outcome<double> draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
+    Result<double> draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
                          std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size);
 
     /// SHADER_READ_ONLY_OPTIMAL; null where this frame has not called for the light's map.
@@ -43,7 +43,7 @@ private:
         std::size_t light = 0;
         std::uint64_t frame = 0;  ///< that called for it last
     };
-    Outcome<std::size_t> slotFor(const headless::Device& device, std::size_t light, std::uint32_t size);
+    Result<std::size_t> slotFor(const headless::Device& device, std::size_t light, std::uint32_t size);
 
     std::vector<Slot> slots_;
     std::vector<std::optional<std::size_t>> slotOf_;  ///< by light

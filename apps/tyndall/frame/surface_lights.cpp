@@ -10,7 +10,7 @@ std::vector<SurfaceLight> allLights(std::span<const Light> lights,
     return all;
 }
 
-Outcome<void> neededLights(Planner& planner, std::span<const Light> lights, const View& view,
+Result<void> neededLights(Planner& planner, std::span<const Light> lights, const View& view,
                            const Surroundings& surroundings, std::uint32_t shadowSize, Plan& plan,
                            std::vector<SurfaceLight>& needed) {
     // A plan with one slice a light, of air that scatters, seen from the same place: what it needs, surfaces need.

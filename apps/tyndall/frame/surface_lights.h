@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -26,7 +26,7 @@ std::vector<SurfaceLight> allLights(std::span<const Light> lights, std::span<con
 
 /// What the view calls for: no lamp whose volume it misses, no shadow map where only walls stand in the light's way.
 /// Uses the planner's memory and `plan`'s.
-Outcome<void> neededLights(Planner& planner, std::span<const Light> lights, const View& view,
+Result<void> neededLights(Planner& planner, std::span<const Light> lights, const View& view,
                            const Surroundings& surroundings, std::uint32_t shadowSize, Plan& plan,
                            std::vector<SurfaceLight>& needed);
 

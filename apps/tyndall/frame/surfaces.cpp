@@ -127,13 +127,13 @@ void listDraws(const SurfaceInputs& inputs, std::vector<Lit>& draws) {
 
 }  // namespace
 
-Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache) {
+Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache) {
     auto pipelines = PassPipelines::create({device.physicalDevice(), device.device(), cache}, scene_effect::effect);
     if (!pipelines) return fail("the surfaces: {}", pipelines.error().message);
     return std::move(*pipelines);
 }
 
-Outcome<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
+Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
                               const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass) {
     pass.draws.clear();
     const auto& [viewed, lights, maps, shadowSize, lit] = inputs;

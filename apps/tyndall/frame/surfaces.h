@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "view_scene.h"
-#include "../outcome.h"
+#include <kit/fail.h>
 #include "surface_lights.h"
 #include "gpu_scene.h"
 #include "shadow_maps.h"
@@ -46,11 +46,11 @@ struct SurfaceInputs {
 };
 
 /// The pipelines of scene.fx, made with `cache`, which may be null.
-Outcome<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache);
+Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache);
 
 /// Prepares one base draw for each instance, and one for each light that reaches the picture and the instance. `gpu`
 /// has the images that they call for. The pipelines draw into targets of those two formats.
-Outcome<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
+Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
                               const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass);
 
 Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,

@@ -5,7 +5,7 @@
 
 namespace tyndall::app {
 
-Outcome<ViewedScene> viewScene(const ViewOptions& options) {
+Result<ViewedScene> viewScene(const ViewOptions& options) {
     auto scene = loadScene(options.scene, options.time);
     if (!scene) return tl::unexpected(scene.error());
     ViewedScene viewed;

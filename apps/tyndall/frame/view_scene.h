@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "../options.h"
+#include "options.h"
 #include "../scene/scene.h"
 
 namespace tyndall::app {
@@ -19,6 +19,6 @@ struct ViewedScene {
     std::vector<std::vector<std::size_t>> instancesInLight;  ///< see instancesByLight()
 };
 
-Outcome<ViewedScene> viewScene(const ViewOptions& options);
+Result<ViewedScene> viewScene(const ViewOptions& options);
 
 }  // namespace tyndall::app

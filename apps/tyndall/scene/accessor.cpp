@@ -51,7 +51,7 @@ Elements elements(const tinygltf::Model& model, const tinygltf::Accessor& access
 
 }  // namespace
 
-Outcome<std::vector<double>> readNumbers(const tinygltf::Model& model, int accessor, int components,
+Result<std::vector<double>> readNumbers(const tinygltf::Model& model, int accessor, int components,
                                          const std::string& what) {
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     const int stored = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
@@ -72,7 +72,7 @@ Outcome<std::vector<double>> readNumbers(const tinygltf::Model& model, int acces
     return values;
 }
 
-Outcome<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, int accessor, std::size_t vertexCount,
+Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, int accessor, std::size_t vertexCount,
                                                 const std::string& what) {
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     const bool whole = source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||

@@ -11,11 +11,11 @@ namespace tyndall::app {
 /// All elements of an accessor of a checked document, `components` doubles each, normalized integers
 /// scaled as glTF 2.0, section 3.6.2.2 says. `what` names the use in errors, e.g. "mesh \"Floor\", POSITION".
 /// Errors: another number of components; a value that is not finite.
-Outcome<std::vector<double>> readNumbers(const tinygltf::Model& model, int accessor, int components,
+Result<std::vector<double>> readNumbers(const tinygltf::Model& model, int accessor, int components,
                                          const std::string& what);
 
 /// The indices of a primitive. Errors: floats; an index of `vertexCount` or more.
-Outcome<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, int accessor, std::size_t vertexCount,
+Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, int accessor, std::size_t vertexCount,
                                                 const std::string& what);
 
 }  // namespace tyndall::app

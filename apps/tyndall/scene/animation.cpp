@@ -62,7 +62,7 @@ Value sample(const Track& track, double time) {
     return value;
 }
 
-Outcome<Track> readTrack(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler,
+Result<Track> readTrack(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler,
                          std::size_t components, const std::string& place) {
     Track track;
     track.components = components;
@@ -87,7 +87,7 @@ Outcome<Track> readTrack(const tinygltf::Model& model, const tinygltf::Animation
 
 }  // namespace
 
-Outcome<std::map<std::size_t, AnimatedNode>> sampleAnimations(const tinygltf::Model& model, double time) {
+Result<std::map<std::size_t, AnimatedNode>> sampleAnimations(const tinygltf::Model& model, double time) {
     std::map<std::size_t, AnimatedNode> nodes;
     for (std::size_t a = 0; a < model.animations.size(); ++a) {
         const tinygltf::Animation& animation = model.animations[a];

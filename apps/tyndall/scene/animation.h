@@ -17,6 +17,6 @@ struct AnimatedNode {
 };
 
 /// Every animated node of the file at `time` seconds. Interpolation as in glTF 2.0, appendix C.
-Outcome<std::map<std::size_t, AnimatedNode>> sampleAnimations(const tinygltf::Model& model, double time);
+Result<std::map<std::size_t, AnimatedNode>> sampleAnimations(const tinygltf::Model& model, double time);
 
 }  // namespace tyndall::app

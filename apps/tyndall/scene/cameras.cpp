@@ -12,7 +12,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 }  // namespace
 
-Outcome<Camera> readCamera(const tinygltf::Model& model, std::size_t node, const glm::dmat4& pose) {
+Result<Camera> readCamera(const tinygltf::Model& model, std::size_t node, const glm::dmat4& pose) {
     const tinygltf::Camera& source = model.cameras[static_cast<std::size_t>(model.nodes[node].camera)];
     Camera camera;
     camera.name = !model.nodes[node].name.empty() ? model.nodes[node].name : source.name;

@@ -8,6 +8,6 @@ namespace tyndall::app {
 
 /// The camera of one node. `pose` is the node's in the world. Errors: an angle outside of 0 to 180 degrees,
 /// planes out of order.
-Outcome<Camera> readCamera(const tinygltf::Model& model, std::size_t node, const glm::dmat4& pose);
+Result<Camera> readCamera(const tinygltf::Model& model, std::size_t node, const glm::dmat4& pose);
 
 }  // namespace tyndall::app

@@ -280,7 +280,7 @@ void checkNodes(const json& gltf) {
         const std::string place = fmt::format("nodes[{}]", i);
         optionalIndex(nodes[i], "mesh", objects(gltf, "meshes").size(), place, "meshes");
         optionalIndex(nodes[i], "camera", objects(gltf, "cameras").size(), place, "cameras");
-        if (auto checked = checkTransform(nodes[i], place); !checked) throw Broken{checked.error()};
+        if (auto checked = checkTransform(nodes[i], place); !checked) throw Broken{checked.error().message};
         const json* extensions = member(nodes[i], "extensions");
         const json* light = extensions != nullptr ? member(*extensions, "KHR_lights_punctual") : nullptr;
         if (light != nullptr) optionalIndex(*light, "light", lightCount(gltf), place, "lights");
@@ -295,7 +295,7 @@ void checkNodes(const json& gltf) {
 
 }  // namespace
 
-Outcome<void> checkDocument(const json& gltf, bool binary, std::size_t binaryLength) {
+Result<void> checkDocument(const json& gltf, bool binary, std::size_t binaryLength) {
     try {
         if (!gltf.is_object()) broken("its JSON is not an object; name a glTF file");
         checkExtensions(gltf);

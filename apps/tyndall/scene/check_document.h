@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -12,6 +12,6 @@ namespace tyndall::app {
 /// its view, a node below itself or below two parents, a transform that is none, a required extension that is
 /// not read. `binary`
 /// and `binaryLength` describe the .glb's own chunk.
-Outcome<void> checkDocument(const nlohmann::json& gltf, bool binary, std::size_t binaryLength);
+Result<void> checkDocument(const nlohmann::json& gltf, bool binary, std::size_t binaryLength);
 
 }  // namespace tyndall::app

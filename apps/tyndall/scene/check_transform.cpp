@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-Outcome<void> checkNumbers(const json& node, const char* key, std::size_t size, const std::string& place) {
+Result<void> checkNumbers(const json& node, const char* key, std::size_t size, const std::string& place) {
     const auto found = node.find(key);
     if (found == node.end()) return {};
     const bool numbers =
@@ -19,7 +19,7 @@ Outcome<void> checkNumbers(const json& node, const char* key, std::size_t size, 
 
 }  // namespace
 
-Outcome<void> checkTransform(const json& node, const std::string& place) {
+Result<void> checkTransform(const json& node, const std::string& place) {
     for (const auto& [key, size] :
          {std::pair("translation", 3), std::pair("rotation", 4), std::pair("scale", 3), std::pair("matrix", 16)})
         if (auto checked = checkNumbers(node, key, static_cast<std::size_t>(size), place); !checked) return checked;

@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
 /// glTF 2.0, section 5.25: translation and scale of 3 numbers, a rotation of 4 that are not all 0, a matrix of
 /// 16. `place` names the node. Readers that skip what does not fit would put it somewhere else in silence.
-Outcome<void> checkTransform(const nlohmann::json& node, const std::string& place);
+Result<void> checkTransform(const nlohmann::json& node, const std::string& place);
 
 }  // namespace tyndall::app

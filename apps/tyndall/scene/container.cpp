@@ -21,7 +21,7 @@ std::uint32_t word(const std::vector<unsigned char>& bytes, std::size_t offset) 
            std::uint32_t{bytes[offset + 2]} << 16 | std::uint32_t{bytes[offset + 3]} << 24;
 }
 
-Outcome<std::vector<unsigned char>> readBytes(const std::string& path) {
+Result<std::vector<unsigned char>> readBytes(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) return fail("{}: no such file; check the path of the scene", path);
@@ -42,7 +42,7 @@ Outcome<std::vector<unsigned char>> readBytes(const std::string& path) {
 
 }  // namespace
 
-Outcome<Container> readContainer(const std::string& path) {
+Result<Container> readContainer(const std::string& path) {
     auto bytes = readBytes(path);
     if (!bytes) return tl::unexpected(bytes.error());
     Container container;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -20,7 +20,7 @@ struct Container {
 };
 
 /// Reads the file and finds its chunks. GLB layout: glTF 2.0 specification, section 4.4.
-Outcome<Container> readContainer(const std::string& path);
+Result<Container> readContainer(const std::string& path);
 
 /// False where the JSON text nests deeper than any glTF needs; recursive readers would run out of stack.
 bool nestingIsSane(std::string_view json);

@@ -45,7 +45,7 @@ bool keepEncoded(tinygltf::Image* image, int, std::string*, std::string*, int, i
     return true;
 }
 
-Outcome<tinygltf::Image> decodeImage(const tinygltf::Image& encoded, std::size_t index) {
+Result<tinygltf::Image> decodeImage(const tinygltf::Image& encoded, std::size_t index) {
     const std::vector<unsigned char>& bytes = encoded.image;
     const auto stated = statedSize(bytes.data(), bytes.size());
     if (!stated) return fail("image {} is neither PNG nor JPEG; export the textures as one of these", index);

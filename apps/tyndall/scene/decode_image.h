@@ -3,7 +3,7 @@
 
 #include <tiny_gltf.h>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -12,6 +12,6 @@ bool keepEncoded(tinygltf::Image* image, int index, std::string* error, std::str
                  const unsigned char* bytes, int size, void* user);
 
 /// Four channels of 8 or 16 bits from what keepEncoded() kept; `index` names the image in messages.
-Outcome<tinygltf::Image> decodeImage(const tinygltf::Image& encoded, std::size_t index);
+Result<tinygltf::Image> decodeImage(const tinygltf::Image& encoded, std::size_t index);
 
 }  // namespace tyndall::app

@@ -18,7 +18,7 @@ std::string oneLine(std::string text) {
 
 }  // namespace
 
-Outcome<Document> readDocument(const std::string& path) {
+Result<Document> readDocument(const std::string& path) {
     auto container = readContainer(path);
     if (!container) return tl::unexpected(container.error());
     if (!nestingIsSane(container->json()))
@@ -28,7 +28,7 @@ Outcome<Document> readDocument(const std::string& path) {
     try {
         document.json = nlohmann::json::parse(container->json());
         if (auto checked = checkDocument(document.json, container->binary, container->binaryLength); !checked)
-            return fail("{}: {}", path, checked.error());
+            return fail("{}: {}", path, checked.error().message);
 
         tinygltf::TinyGLTF reader;
         reader.SetImageLoader(keepEncoded, nullptr);

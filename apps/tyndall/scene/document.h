@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -19,6 +19,6 @@ struct Document {
 
 /// Reads `path`, .glb or .gltf by content, with the buffers and images it names. Images stay encoded: a texture
 /// that nothing draws costs no decoding, and may be broken.
-Outcome<Document> readDocument(const std::string& path);
+Result<Document> readDocument(const std::string& path);
 
 }  // namespace tyndall::app

@@ -126,7 +126,7 @@ LightExtras read(const json& extras, const std::string& place, std::vector<std::
 
 }  // namespace
 
-Outcome<LightExtras> readLightExtras(const json& extras, const std::string& place, std::vector<std::string>& warnings) {
+Result<LightExtras> readLightExtras(const json& extras, const std::string& place, std::vector<std::string>& warnings) {
     try {
         return read(extras, place, warnings);
     } catch (const Wrong& found) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -32,7 +32,7 @@ struct LightExtras {
 
 /// Reads the object; `place` names the light in messages. A key that has no meaning becomes a warning, a
 /// value of the wrong kind an error.
-Outcome<LightExtras> readLightExtras(const nlohmann::json& extras, const std::string& place,
+Result<LightExtras> readLightExtras(const nlohmann::json& extras, const std::string& place,
                                      std::vector<std::string>& warnings);
 
 }  // namespace tyndall::app

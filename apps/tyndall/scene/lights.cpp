@@ -36,7 +36,7 @@ constexpr double extentMargin = 1.01;
 /// Where a light has neither range nor scene before it.
 constexpr double emptySceneFar = 20.0;
 
-Outcome<void> applyRange(Light& light, const LightExtras& extras, double range, const Bounds& bounds,
+Result<void> applyRange(Light& light, const LightExtras& extras, double range, const Bounds& bounds,
                          const std::string& place) {
     light.nearPlane = extras.nearPlane.value_or(light.nearPlane);
     if (!(light.nearPlane > 0.0))
@@ -52,7 +52,7 @@ Outcome<void> applyRange(Light& light, const LightExtras& extras, double range, 
     return {};
 }
 
-Outcome<void> applyFov(Light& light, const LightExtras& extras, double outer, const std::string& place,
+Result<void> applyFov(Light& light, const LightExtras& extras, double outer, const std::string& place,
                        std::vector<std::string>& warnings) {
     light.fov = glm::dvec2(2.0 * outer);
     if (extras.fovDegrees && extras.shape == Shape::Frustum) light.fov = *extras.fovDegrees * degree;
@@ -66,7 +66,7 @@ Outcome<void> applyFov(Light& light, const LightExtras& extras, double outer, co
     return {};
 }
 
-Outcome<void> applyAir(Light& light, const LightExtras& extras, const std::string& place) {
+Result<void> applyAir(Light& light, const LightExtras& extras, const std::string& place) {
     light.density = extras.density.value_or(light.density);
     light.ambient = extras.ambient.value_or(light.ambient);
     light.anisotropy = extras.anisotropy.value_or(light.anisotropy);
@@ -94,7 +94,7 @@ Outcome<void> applyAir(Light& light, const LightExtras& extras, const std::strin
 
 }  // namespace
 
-Outcome<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
+Result<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
                                  const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings) {
     const tinygltf::Model& model = document.model;
     const auto lamp = document.json["nodes"][node]["extensions"]["KHR_lights_punctual"]["light"].get<std::size_t>();

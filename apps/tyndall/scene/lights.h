@@ -18,7 +18,7 @@ struct ReadLight {
 /// A spot light on `node`. `pose` is the node's in the world; `parent` the node above it, if any, whose
 /// extras count where the light's own node has none (exporters that turn lamps put them into a child).
 /// `bounds` gives the default far plane of a light without range. Errors: whatever plan() would refuse.
-Outcome<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
+Result<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
                                  const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings);
 
 }  // namespace tyndall::app

@@ -16,14 +16,14 @@ public:
     Loader(const Document& document, std::vector<std::optional<glm::dmat4>> poses)
         : document_(document), poses_(std::move(poses)) {}
 
-    Outcome<Scene> load() {
+    Result<Scene> load() {
         for (auto step : {&Loader::readMeshes, &Loader::readCameras, &Loader::readLights})
             if (auto done = (this->*step)(); !done) return tl::unexpected(done.error());
         return std::move(scene_);
     }
 
 private:
-    Outcome<void> readMeshes() {
+    Result<void> readMeshes() {
         std::map<int, std::pair<std::size_t, std::size_t>> known;  // glTF mesh: first and last of Scene::meshes
         const ColourTexture colour = [this](int texture, const std::string& user) {
             return images_.texture(texture, Encoding::Srgb, user);
@@ -56,7 +56,7 @@ private:
         }
     }
 
-    Outcome<void> readCameras() {
+    Result<void> readCameras() {
         for (std::size_t node = 0; node < model().nodes.size(); ++node) {
             if (model().nodes[node].camera < 0 || !poses_[node]) continue;
             auto camera = readCamera(model(), node, *poses_[node]);
@@ -67,7 +67,7 @@ private:
         return {};
     }
 
-    Outcome<void> readLights() {
+    Result<void> readLights() {
         std::vector<std::optional<std::size_t>> parents(model().nodes.size());
         for (std::size_t node = 0; node < model().nodes.size(); ++node)
             for (const int child : model().nodes[node].children) parents[static_cast<std::size_t>(child)] = node;
@@ -109,7 +109,7 @@ private:
                                type)});
     }
 
-    Outcome<void> keep(ReadLight read) {
+    Result<void> keep(ReadLight read) {
         SceneLight& light = read.light;
         const std::string place = fmt::format("light \"{}\", extras.tyndall.", light.light.name);
         if (read.noiseTexture) {
@@ -138,13 +138,13 @@ private:
 
 }  // namespace
 
-Outcome<Scene> loadScene(const std::string& path, double time) {
+Result<Scene> loadScene(const std::string& path, double time) {
     auto document = readDocument(path);
     if (!document) return tl::unexpected(document.error());
     auto poses = worldPoses(document->model, time);
-    if (!poses) return fail("{}: {}", path, poses.error());
+    if (!poses) return fail("{}: {}", path, poses.error().message);
     auto scene = Loader(*document, std::move(*poses)).load();
-    if (!scene) return fail("{}: {}", path, scene.error());
+    if (!scene) return fail("{}: {}", path, scene.error().message);
     if (!document->warnings.empty()) scene->warnings.push_back(document->warnings);
     return scene;
 }

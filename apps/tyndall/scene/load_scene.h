@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 #include "scene.h"
 
 namespace tyndall::app {
 
 /// Reads `path` with its animations at `time` seconds. Errors: a file that is broken anywhere, no camera,
 /// no light, a light or camera that cannot be drawn. What is only left out is a warning in the scene.
-Outcome<Scene> loadScene(const std::string& path, double time);
+Result<Scene> loadScene(const std::string& path, double time);
 
 }  // namespace tyndall::app

@@ -49,7 +49,7 @@ void computeMissingNormals(Mesh& mesh) {
     }
 }
 
-Outcome<Material> readMaterial(const tinygltf::Model& model, int index, bool hasUv, const std::string& user,
+Result<Material> readMaterial(const tinygltf::Model& model, int index, bool hasUv, const std::string& user,
                                const ColourTexture& texture) {
     Material material;
     if (index < 0) return material;
@@ -75,7 +75,7 @@ Outcome<Material> readMaterial(const tinygltf::Model& model, int index, bool has
     return material;
 }
 
-Outcome<Mesh> readPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& user,
+Result<Mesh> readPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& user,
                             const ColourTexture& texture) {
     const auto attribute = [&](const char* name) {
         const auto found = primitive.attributes.find(name);
@@ -86,7 +86,7 @@ Outcome<Mesh> readPrimitive(const tinygltf::Model& model, const tinygltf::Primit
     if (!positions) return tl::unexpected(positions.error());
     const std::size_t count = positions->size() / 3;
 
-    Outcome<std::vector<double>> normals, uvs;
+    Result<std::vector<double>> normals, uvs;
     if (attribute("NORMAL") >= 0) normals = readNumbers(model, attribute("NORMAL"), 3, user + ", NORMAL");
     if (!normals) return tl::unexpected(normals.error());
     const int base = primitive.material < 0 ? 0
@@ -128,7 +128,7 @@ Outcome<Mesh> readPrimitive(const tinygltf::Model& model, const tinygltf::Primit
 
 }  // namespace
 
-Outcome<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t index, const ColourTexture& texture,
+Result<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t index, const ColourTexture& texture,
                                     std::vector<std::string>& warnings) {
     std::vector<Mesh> meshes;
     for (const tinygltf::Primitive& primitive : model.meshes[index].primitives) {

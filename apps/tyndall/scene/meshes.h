@@ -11,11 +11,11 @@
 namespace tyndall::app {
 
 /// Gives the index in Scene::images of a glTF texture that holds colour.
-using ColourTexture = std::function<Outcome<std::size_t>(int texture, const std::string& user)>;
+using ColourTexture = std::function<Result<std::size_t>(int texture, const std::string& user)>;
 
 /// The primitives of one glTF mesh. Points and lines are left out with a warning. Normals that are absent
 /// or zero are computed from the triangles, smooth where vertices are shared.
-Outcome<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t mesh, const ColourTexture& texture,
+Result<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t mesh, const ColourTexture& texture,
                                     std::vector<std::string>& warnings);
 
 }  // namespace tyndall::app

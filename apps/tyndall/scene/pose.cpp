@@ -52,7 +52,7 @@ std::string nodeName(const tinygltf::Model& model, std::size_t node) {
     return name.empty() ? fmt::format("node {}", node) : fmt::format("node \"{}\"", name);
 }
 
-Outcome<std::vector<std::optional<glm::dmat4>>> worldPoses(const tinygltf::Model& model, double time) {
+Result<std::vector<std::optional<glm::dmat4>>> worldPoses(const tinygltf::Model& model, double time) {
     const auto animated = sampleAnimations(model, time);
     if (!animated) return tl::unexpected(animated.error());
 
@@ -74,7 +74,7 @@ Outcome<std::vector<std::optional<glm::dmat4>>> worldPoses(const tinygltf::Model
     return poses;
 }
 
-Outcome<glm::dmat4> rigidPart(const glm::dmat4& pose, const std::string& place) {
+Result<glm::dmat4> rigidPart(const glm::dmat4& pose, const std::string& place) {
     const glm::dvec3 z(pose[2]), y(pose[1]), x(pose[0]);
     const double zLength = glm::length(z);
     const glm::dvec3 back = z / zLength;

@@ -12,11 +12,11 @@ namespace tyndall::app {
 /// World transforms of the nodes of the file's scene at `time` seconds, by node index; empty for nodes
 /// that the scene does not hold. All of the file's animations play, held at their first and last keys.
 /// Errors: transforms or keys that are not finite, keys that run backwards.
-Outcome<std::vector<std::optional<glm::dmat4>>> worldPoses(const tinygltf::Model& model, double time);
+Result<std::vector<std::optional<glm::dmat4>>> worldPoses(const tinygltf::Model& model, double time);
 
 /// Rotation and translation alone: the direction of -Z is kept exactly, +Y as near as it can be, scale and
 /// mirroring go. Errors: an axis of no length.
-Outcome<glm::dmat4> rigidPart(const glm::dmat4& pose, const std::string& place);
+Result<glm::dmat4> rigidPart(const glm::dmat4& pose, const std::string& place);
 
 /// "node "Lamp"", or the index of a node without a name.
 std::string nodeName(const tinygltf::Model& model, std::size_t node);

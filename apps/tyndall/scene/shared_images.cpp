@@ -12,7 +12,7 @@ std::size_t append(std::vector<Image>& images, Image image) {
 
 }  // namespace
 
-Outcome<std::size_t> SharedImages::texture(int texture, Encoding encoding, const std::string& user) {
+Result<std::size_t> SharedImages::texture(int texture, Encoding encoding, const std::string& user) {
     const auto source = imageOf(model_, texture, user);
     if (!source) return tl::unexpected(source.error());
     const auto key = std::pair(*source, encoding);
@@ -22,7 +22,7 @@ Outcome<std::size_t> SharedImages::texture(int texture, Encoding encoding, const
     return textures_[key] = append(scene_.images, std::move(*read));
 }
 
-Outcome<std::size_t> SharedImages::slide(int texture, const std::string& user) {
+Result<std::size_t> SharedImages::slide(int texture, const std::string& user) {
     const auto source = imageOf(model_, texture, user);
     if (!source) return tl::unexpected(source.error());
     if (const auto known = slides_.find(*source); known != slides_.end()) return known->second;

@@ -19,10 +19,10 @@ public:
     SharedImages(const tinygltf::Model& model, Scene& scene) : model_(model), scene_(scene) {}
 
     /// Index into Scene::images. `user` names who asks, in messages.
-    Outcome<std::size_t> texture(int texture, Encoding encoding, const std::string& user);
+    Result<std::size_t> texture(int texture, Encoding encoding, const std::string& user);
 
     /// Index into Scene::slides of a cookie that a cone is baked into.
-    Outcome<std::size_t> slide(int texture, const std::string& user);
+    Result<std::size_t> slide(int texture, const std::string& user);
 
     /// Index into Scene::images: the falloff of `cone`, baked into the slide where there is one.
     std::size_t cone(const ConeAngles& cone, std::optional<std::size_t> slide);

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "../image/srgb.h"
+#include <kit/image/srgb.h>
 #include "decode_image.h"
 
 namespace tyndall::app {
 
-Outcome<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std::string& user) {
+Result<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std::string& user) {
     if (texture < 0 || static_cast<std::size_t>(texture) >= model.textures.size())
         return fail("{} names texture {}, but the file has {}, counted from 0; correct the index", user, texture,
                     model.textures.size());
@@ -18,13 +18,13 @@ Outcome<std::size_t> imageOf(const tinygltf::Model& model, int texture, const st
     return static_cast<std::size_t>(source);
 }
 
-Outcome<Image> readImage(const tinygltf::Model& model, std::size_t source, Encoding encoding, const std::string& user) {
+Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encoding encoding, const std::string& user) {
     const tinygltf::Image& kept = model.images[source];
     if (kept.image.empty())
         return fail("{}: image {} could not be loaded; check that \"{}\" is there", user, source,
                     kept.uri.empty() ? kept.name : kept.uri);
     const auto decoded = decodeImage(kept, source);
-    if (!decoded) return fail("{}: {}", user, decoded.error());
+    if (!decoded) return fail("{}: {}", user, decoded.error().message);
     const tinygltf::Image& from = *decoded;
     const std::size_t texels = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
     const std::size_t channelBytes = from.bits == 16 ? 2 : 1;

@@ -13,10 +13,10 @@ enum class Encoding {
 
 /// Which of the file's images a glTF texture shows; exporters give each material a texture of its own, and all
 /// of them one image. `user` names who asks. Errors: an index out of range, a texture without image.
-Outcome<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std::string& user);
+Result<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std::string& user);
 
 /// Decodes an image of the file. Errors: it is missing or damaged.
-Outcome<Image> readImage(const tinygltf::Model& model, std::size_t source, Encoding encoding, const std::string& user);
+Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encoding encoding, const std::string& user);
 
 /// The image's value at (u, v), bilinear, edges held.
 glm::vec4 sampleClamped(const Image& image, double u, double v);

@@ -1,7 +1,7 @@
 // Float images in memory and as files.
 #pragma once
 
-#include <rig/outcome.h>
+#include <tyndall/result.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,13 +31,13 @@ Image blankImage(int width, int height, int channels);
 
 /// Any image file that OpenImageIO reads, its first part and level; integer formats become 0 to 1 as they
 /// are stored, without a change of colour space. At most 16384 pixels a side and 4 channels.
-Outcome<Image> readImage(const std::string& path);
+Result<Image> readImage(const std::string& path);
 
 /// OpenEXR, 32-bit float, losslessly compressed; the same image gives the same bytes. Written beside its
 /// place and then renamed. NaN and infinity are kept.
-Outcome<void> writeExr(const std::string& path, const Image& image);
+Result<void> writeExr(const std::string& path, const Image& image);
 
 /// RGB bytes, three a pixel, as a PNG. Written beside its place and then renamed.
-Outcome<void> writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgb);
+Result<void> writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgb);
 
 }  // namespace tyndall::rig

@@ -33,16 +33,16 @@ struct Failure {
 
 /// Adds or replaces the failure's entry and rebuilds the page. Either image may be null.
 /// Errors: the folder cannot be written, or its index.html is no such page; nothing is changed then.
-Outcome<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
+Result<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
                             const Image* expected);
 
 /// Removes what an earlier run reported of this comparison, and rebuilds the page where that was something.
 /// Makes no folder.
-Outcome<void> reportPass(const std::string& folder, const Subject& subject);
+Result<void> reportPass(const std::string& folder, const Subject& subject);
 
 /// Removes what earlier runs reported of techniques that the effect no longer has, and rebuilds the page where that
 /// was something. Makes no folder.
-Outcome<void> reportTechniques(const std::string& folder, const std::string& effect,
+Result<void> reportTechniques(const std::string& folder, const std::string& effect,
                                const std::vector<std::string>& techniques);
 
 /// The folder name of the subject's entry: readable, and different for different subjects.

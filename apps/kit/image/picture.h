@@ -6,7 +6,10 @@
 #include <optional>
 #include <vector>
 
-namespace tyndall::app {
+namespace tyndall {
+
+/// Longest side of a picture: what Vulkan devices of today offer at least for render targets.
+constexpr std::uint32_t longestSide = 16384;
 
 struct Picture {
     std::uint32_t width = 0;
@@ -22,4 +25,4 @@ struct BadPixels {
 
 BadPixels findBadPixels(const Picture& picture);
 
-}  // namespace tyndall::app
+}  // namespace tyndall

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
-namespace tyndall::app {
+namespace tyndall {
 
 /// image - reference, value by value, as floats; of one size and number of channels. NaN where either is.
 study::FloatImage difference(const study::FloatImage& image, const study::FloatImage& reference);
@@ -18,4 +18,4 @@ study::FloatImage difference(const study::FloatImage& image, const study::FloatI
 /// finite. `scale` > 0; what lies beyond is shown as it.
 std::vector<std::uint8_t> divergingColours(const study::FloatImage& difference, double scale);
 
-}  // namespace tyndall::app
+}  // namespace tyndall

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tyndall::app {
+namespace tyndall {
 
 study::FloatImage difference(const study::FloatImage& image, const study::FloatImage& reference) {
     study::FloatImage result = image;
@@ -35,4 +35,4 @@ std::vector<std::uint8_t> divergingColours(const study::FloatImage& difference, 
     return bytes;
 }
 
-}  // namespace tyndall::app
+}  // namespace tyndall

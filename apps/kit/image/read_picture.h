@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "../outcome.h"
+#include <kit/fail.h>
 
-namespace tyndall::app {
+namespace tyndall {
 
 struct ReadPicture {
     study::FloatImage image;            ///< linear
@@ -20,6 +20,6 @@ struct ReadPicture {
 /// they are. PNG: 8 or 16 bits, colour and grey decoded from sRGB, alpha left alone and not multiplied in.
 /// Errors, each with the path: no such file, neither format, broken; an EXR that is deep, has several parts,
 /// channels of whole numbers, or a data window that is not its display window; a side over longestSide.
-Outcome<ReadPicture> readPicture(const std::string& path);
+Result<ReadPicture> readPicture(const std::string& path);
 
-}  // namespace tyndall::app
+}  // namespace tyndall

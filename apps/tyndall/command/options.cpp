@@ -4,7 +4,7 @@
 
 namespace tyndall::app {
 
-Outcome<Size> parseSize(const std::string& text) {
+Result<Size> parseSize(const std::string& text) {
     Size size;
     const char* const end = text.data() + text.size();
     const auto width = std::from_chars(text.data(), end, size.width);
@@ -19,7 +19,7 @@ Outcome<Size> parseSize(const std::string& text) {
     return size;
 }
 
-Outcome<TermSet> parseTechnique(const std::string& name) {
+Result<TermSet> parseTechnique(const std::string& name) {
     if (const auto terms = termsOf(std::string_view(name))) return *terms;
     std::string names;
     for (std::size_t i = TermSet::count; i-- > 0;)

@@ -12,11 +12,11 @@
 
 #include "tone_map.h"
 
-namespace tyndall::app {
+namespace tyndall {
 namespace {
 
 /// Where the links that `path` may be lead: links to come and links that point at nothing included.
-Outcome<std::filesystem::path> written(const std::string& path) {
+Result<std::filesystem::path> written(const std::string& path) {
     constexpr int mostLinks = 40;  // as many as Linux follows
     std::filesystem::path at(path);
     for (int links = 0; links < mostLinks; ++links) {
@@ -37,7 +37,7 @@ std::string besidePath(const std::filesystem::path& whole, const std::string& as
     return (whole.parent_path() / name).string();
 }
 
-Outcome<void> writeBeside(const std::string& path, const std::function<Outcome<void>(const std::string&)>& write) {
+Result<void> writeBeside(const std::string& path, const std::function<Result<void>(const std::string&)>& write) {
     const auto target = written(path);
     if (!target) return tl::unexpected(target.error());
     const std::string partial = besidePath(*target, path);
@@ -60,7 +60,7 @@ struct Raster {
     const void* pixels;
 };
 
-Outcome<void> saveImage(const std::string& partial, const std::string& path, const Raster& raster) {
+Result<void> saveImage(const std::string& partial, const std::string& path, const Raster& raster) {
     auto file = OIIO::ImageOutput::create(partial);
     if (!file) return fail("{}: cannot be written: {}", path, OIIO::geterror());
     OIIO::ImageSpec spec(raster.width, raster.height, static_cast<int>(raster.channels.size()), raster.type);
@@ -84,7 +84,7 @@ std::optional<PictureFormat> pictureFormat(std::string_view path) {
     return std::nullopt;
 }
 
-Outcome<void> checkWritable(const std::string& path) {
+Result<void> checkWritable(const std::string& path) {
     std::error_code error;
     const auto target = written(path);
     if (!target) return tl::unexpected(target.error());
@@ -109,7 +109,7 @@ bool sameFile(const std::string& a, const std::string& b) {
            std::filesystem::weakly_canonical(*first, error) == std::filesystem::weakly_canonical(*second, error);
 }
 
-Outcome<void> writePicture(const std::string& path, const Picture& picture, std::optional<double> exposureStops) {
+Result<void> writePicture(const std::string& path, const Picture& picture, std::optional<double> exposureStops) {
     const auto format = pictureFormat(path);
     if (!format) return fail("{}: pictures are written as .png or .exr; change the extension", path);
     if (const BadPixels bad = findBadPixels(picture); bad.count > 0)
@@ -124,21 +124,21 @@ Outcome<void> writePicture(const std::string& path, const Picture& picture, std:
     return writeBeside(path, [&](const std::string& partial) { return saveImage(partial, path, raster); });
 }
 
-Outcome<void> writeFloats(const std::string& path, const study::FloatImage& image,
+Result<void> writeFloats(const std::string& path, const study::FloatImage& image,
                           const std::vector<std::string>& channels) {
     const Raster raster{image.width, image.height, channels, OIIO::TypeDesc::FLOAT, image.values.data()};
     return writeBeside(path, [&](const std::string& partial) { return saveImage(partial, path, raster); });
 }
 
-Outcome<void> writeBytes(const std::string& path, std::uint32_t width, std::uint32_t height,
+Result<void> writeBytes(const std::string& path, std::uint32_t width, std::uint32_t height,
                          const std::vector<std::uint8_t>& rgb) {
     const Raster raster{static_cast<int>(width), static_cast<int>(height), redGreenBlue, OIIO::TypeDesc::UINT8,
                         rgb.data()};
     return writeBeside(path, [&](const std::string& partial) { return saveImage(partial, path, raster); });
 }
 
-Outcome<void> writeText(const std::string& path, std::string_view text) {
-    return writeBeside(path, [&](const std::string& partial) -> Outcome<void> {
+Result<void> writeText(const std::string& path, std::string_view text) {
+    return writeBeside(path, [&](const std::string& partial) -> Result<void> {
         std::ofstream file(partial, std::ios::binary);
         file << text;
         file.close();
@@ -147,4 +147,4 @@ Outcome<void> writeText(const std::string& path, std::string_view text) {
     });
 }
 
-}  // namespace tyndall::app
+}  // namespace tyndall

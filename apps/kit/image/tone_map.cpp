@@ -5,7 +5,7 @@
 
 #include "srgb.h"
 
-namespace tyndall::app {
+namespace tyndall {
 namespace {
 
 constexpr double key = 0.18;
@@ -54,4 +54,4 @@ std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<dou
     return bytes;
 }
 
-}  // namespace tyndall::app
+}  // namespace tyndall

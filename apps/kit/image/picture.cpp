@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace tyndall::app {
+namespace tyndall {
 
 BadPixels findBadPixels(const Picture& picture) {
     BadPixels bad;
@@ -17,4 +17,4 @@ BadPixels findBadPixels(const Picture& picture) {
     return bad;
 }
 
-}  // namespace tyndall::app
+}  // namespace tyndall

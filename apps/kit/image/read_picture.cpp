@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "../options.h"
+#include "picture.h"
 #include "srgb.h"
 
-namespace tyndall::app {
+namespace tyndall {
 namespace {
 
 constexpr int mostChannels = 64;
@@ -20,7 +20,7 @@ constexpr int mostChannels = 64;
 constexpr std::size_t mostValues = std::size_t{1} << 30;
 
 /// The image library's name of the format that the first bytes announce.
-Outcome<const char*> formatOf(const std::string& path) {
+Result<const char*> formatOf(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return fail("{}: is a folder; name a picture", path);
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
@@ -42,7 +42,7 @@ std::string reason(OIIO::ImageInput& file) {
     return text.empty() ? "its content is broken" : text;
 }
 
-Outcome<void> checkLayout(const std::string& path, const OIIO::ImageSpec& spec, bool severalParts) {
+Result<void> checkLayout(const std::string& path, const OIIO::ImageSpec& spec, bool severalParts) {
     if (severalParts)
         return fail("{}: holds several parts, and which one is meant is not said; extract it into a file of its own",
                     path);
@@ -64,7 +64,7 @@ Outcome<void> checkLayout(const std::string& path, const OIIO::ImageSpec& spec, 
     return {};
 }
 
-Outcome<std::string> exrEncoding(const std::string& path, const OIIO::ImageSpec& spec) {
+Result<std::string> exrEncoding(const std::string& path, const OIIO::ImageSpec& spec) {
     bool half = true, single = true;
     for (int c = 0; c < spec.nchannels; ++c) {
         const OIIO::TypeDesc type = spec.channelformat(c);
@@ -83,7 +83,7 @@ void decodeSrgb(study::FloatImage& image, int alpha) {
 
 }  // namespace
 
-Outcome<ReadPicture> readPicture(const std::string& path) {
+Result<ReadPicture> readPicture(const std::string& path) {
     const auto format = formatOf(path);
     if (!format) return tl::unexpected(format.error());
     const bool png = std::string_view(*format) == "png";
@@ -112,4 +112,4 @@ Outcome<ReadPicture> readPicture(const std::string& path) {
     return picture;
 }
 
-}  // namespace tyndall::app
+}  // namespace tyndall

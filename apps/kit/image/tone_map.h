@@ -12,7 +12,7 @@
 
 #include "picture.h"
 
-namespace tyndall::app {
+namespace tyndall {
 
 /// Stops that bring the log-average luminance of the lit pixels to 0.18, the key of an ordinary photograph.
 /// 0 for a black picture.
@@ -28,4 +28,4 @@ double displayStep(double exposureStops);
 /// RGB bytes. Absent stops: automaticExposure().
 std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<double> exposureStops);
 
-}  // namespace tyndall::app
+}  // namespace tyndall

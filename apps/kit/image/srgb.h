@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace tyndall::app {
+namespace tyndall {
 
 inline float linearFromSrgb(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
@@ -13,4 +13,4 @@ inline float srgbFromLinear(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-}  // namespace tyndall::app
+}  // namespace tyndall

@@ -1,0 +1,63 @@
+// What can be asked of the program, after the command line was understood.
+#pragma once
+
+#include <kit/fail.h>
+#include <study/reference.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+
+#include "../frame/options.h"
+
+namespace tyndall::app {
+
+struct RenderOptions {
+    ViewOptions view;
+    ShaftOptions shafts;
+    std::string output;
+    std::optional<std::string> stats;
+    std::optional<std::string> pipelineCache;  ///< a file, or noPipelineCache; absent: the user's cache folder
+    bool validate = false;
+};
+
+struct ExplainOptions {
+    ViewOptions view;
+    ShaftOptions shafts;
+    bool json = false;
+};
+
+struct ReferenceOptions {
+    ViewOptions view;  ///< its layer is not looked at: a reference is of the shafts alone
+    std::string output;
+    study::Mode mode = study::Mode::Ideal;
+    std::optional<TermSet> terms;  ///< absent: each light's own
+    double accuracy = 1e-8;
+    unsigned threads = 0;
+    std::uint32_t shadowSize = 1024;  ///< hardware mode
+    std::optional<std::string> stats;
+};
+
+/// What a picture may be off by; absent: anything.
+struct Limits {
+    std::optional<double> relativeL2, relativeMeanSquare, absolute, energy, deadZone;
+    std::optional<int> run;
+};
+
+struct CompareOptions {
+    std::string image, reference;
+    bool json = false;
+    std::optional<std::string> difference;
+    std::optional<double> differenceScale;  ///< absent: the largest difference
+    double bandingThreshold = 1e-3;
+    Limits most;
+};
+
+/// "640x360". Errors: anything else, a side of 0 or over longestSide.
+Result<Size> parseSize(const std::string& text);
+
+/// The terms of a technique of slices.fx. Errors: another name; the message lists all.
+Result<TermSet> parseTechnique(const std::string& name);
+
+}  // namespace tyndall::app
