@@ -90,7 +90,7 @@ TEST_F(Division, IsTheUndividedDraw) {
     build(beam(), room);
     const RoomOnGpu gpu(room);
     Surroundings unknown = room.surroundings();
-    unknown.occluders.reset();
+    unknown.occluders = nullptr;
     const Plan whole = planFor(room, false, unknown);
     ASSERT_EQ(whole.parts.size(), 1u);
     const Picture divided = gpu.draw(planFor(room, false, room.surroundings())).picture,

@@ -4,7 +4,6 @@
 #include <tyndall/plan.h>
 
 #include "../command/view_scene.h"
-#include "drawn_depth.h"
 #include "scene_facts.h"
 #include "surface_lights.h"
 
@@ -14,7 +13,7 @@ struct PlannedScene : ViewedScene {
     double range = 1.0;  ///< of 8-bit targets
     SceneFacts facts;
     std::vector<SurfaceLight> surfaceLights;  ///< by lookAround()
-    std::optional<DrawnDepth> depth;          ///< what the plan was made with
+    std::optional<DepthSurvey> depth;         ///< what the plan was made with
     double displayStep = 0.0;                 ///< as PlanOptions'
     PlanOptions options;                      ///< what the plan was made with
     Plan plan;
@@ -30,7 +29,7 @@ Outcome<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& sha
 Outcome<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
 /// Plans again, once the scene's depth and the display's step are known.
-Outcome<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
+Outcome<void> planAgain(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
                         const ShaftOptions& shafts);
 
 /// What the plan would be if nothing were left out.

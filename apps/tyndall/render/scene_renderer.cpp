@@ -102,8 +102,11 @@ Outcome<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOption
         if (!read) return tl::unexpected(read.error());
         surfaces = std::move(*read);
     }
-    return planAgain(planned, summarize(*depths, view.size, planned.view), std::min(stepOf(surfaces, shafts), mostStep),
-                     view, shafts);
+    DepthSurvey depth;
+    if (auto surveyed = passOn(surveyDepth(*depths, view.size.width, view.size.height, planned.view, depth), "the depth as drawn");
+        !surveyed)
+        return surveyed;
+    return planAgain(planned, std::move(depth), std::min(stepOf(surfaces, shafts), mostStep), view, shafts);
 }
 
 /// All that drawShafts() will draw with, on all cores.
