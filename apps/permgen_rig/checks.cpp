@@ -9,7 +9,7 @@ namespace {
 
 class TechniqueCheck {
 public:
-    TechniqueCheck(headless::Device& device, Studio& studio, const permgen::Effect& effect,
+    TechniqueCheck(headless::Device& device, EffectRenderer& studio, const permgen::Effect& effect,
                    const permgen::Technique& technique, Tolerance tolerance, const GoldenStore* goldens)
         : device_(device),
           studio_(studio),
@@ -96,7 +96,7 @@ private:
     }
 
     headless::Device& device_;
-    Studio& studio_;
+    EffectRenderer& studio_;
     const permgen::Effect& effect_;
     const permgen::Technique& technique_;
     Tolerance tolerance_;
@@ -110,7 +110,7 @@ bool TechniqueResult::passed() const {
     return std::all_of(checks.begin(), checks.end(), [](const CheckResult& check) { return check.reason.empty(); });
 }
 
-TechniqueResult checkTechnique(headless::Device& device, Studio& studio, const permgen::Effect& effect,
+TechniqueResult checkTechnique(headless::Device& device, EffectRenderer& studio, const permgen::Effect& effect,
                                const permgen::Technique& technique, Tolerance tolerance, const GoldenStore* goldens) {
     return TechniqueCheck(device, studio, effect, technique, tolerance, goldens).run();
 }

@@ -14,7 +14,7 @@
 #include "checks.h"
 #include "fixture.h"
 #include "options.h"
-#include "studio.h"
+#include "effect_renderer.h"
 
 namespace tyndall::rig {
 namespace {
@@ -142,7 +142,7 @@ void forgetOtherTechniques(const Options& options, const permgen::Effect& effect
     if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done) stop(done.error().message);
 }
 
-bool tryOut(headless::Device& device, Studio& studio, const permgen::Effect& effect,
+bool tryOut(headless::Device& device, EffectRenderer& studio, const permgen::Effect& effect,
             const permgen::Technique& technique, const Fixture& fixture, const Options& options) {
     const GoldenStore goldens{options.goldens, options.updateGoldens, "run permgen-rig with --update-goldens"};
     const TechniqueResult result = checkTechnique(device, studio, effect, technique, fixture.tolerance,
@@ -173,7 +173,7 @@ Status run(const Options& options) {
     if (!fixture) stop(fixture.error().message);
     checkFrozen(effect, options);
     headless::Device device = openDevice(options);
-    const auto studio = Studio::create(device, effect, *fixture);
+    const auto studio = EffectRenderer::create(device, effect, *fixture);
     if (!studio) stop(studio.error().message);
 
     fmt::print("{}: {} of {} techniques on {}\n", effect.name, effect.techniques.size(), whole.techniques.size(),

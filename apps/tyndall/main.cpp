@@ -16,7 +16,7 @@ int fails(int status, const std::string& sentence) {
     return status;
 }
 
-Result<Said> run(const Request& request) {
+Result<CommandOutput> run(const Request& request) {
     if (const auto* options = std::get_if<RenderOptions>(&request)) return render(*options);
     if (const auto* options = std::get_if<ExplainOptions>(&request)) return explain(*options);
     if (const auto* options = std::get_if<ReferenceOptions>(&request)) {
@@ -24,7 +24,7 @@ Result<Said> run(const Request& request) {
         return reference(*options, [&watch](double share) { return watch.report(share); });
     }
     if (const auto* options = std::get_if<CompareOptions>(&request)) return compare(*options);
-    return Said{std::get<Help>(request).text, {}};
+    return CommandOutput{std::get<Help>(request).text, {}};
 }
 
 }  // namespace

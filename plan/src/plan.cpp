@@ -37,8 +37,6 @@ Result<void> checkSlices(std::span<const Candidate> candidates) {
 struct Planner::Impl {
     std::vector<Candidate> candidates;
     std::vector<Omission> omissions;
-    std::vector<OccluderBounds> occluders;
-    std::vector<BlockerBounds> blockers;
     std::vector<std::uint32_t> indices;
     ConsiderScratch scratch;
 
@@ -112,12 +110,7 @@ Result<void> Planner::plan(std::span<const Light> lights, const View& view, cons
                            const Surroundings& surroundings, Plan& plan) try {
     clear(plan);
     if (const Result<void> checked = impl_->check(lights, view, options, surroundings); !checked) return checked;
-    impl_->occluders.clear();
-    if (surroundings.occluders)
-        for (const OccluderBox& box : *surroundings.occluders) impl_->occluders.push_back(boundsOf(box));
-    impl_->blockers.clear();
-    for (const Blocker& blocker : surroundings.blockers) impl_->blockers.push_back(boundsOf(blocker));
-    const PlanContext context{view, options, surroundings, impl_->occluders, impl_->blockers, viewSides(view, 1.0)};
+    const PlanContext context{view, options, surroundings, viewSides(view, 1.0)};
 
     plan.geometry = options.geometry;
     plan.accumulation = options.accumulation;

@@ -3,11 +3,7 @@
 
 #include <tyndall/plan.h>
 
-#include <span>
-
 #include "geometry/inline_vector.h"
-#include "needs/needs.h"
-#include "visibility/walls.h"
 
 namespace tyndall {
 
@@ -15,8 +11,6 @@ struct PlanContext {
     const View& view;
     const PlanOptions& options;
     const Surroundings& surroundings;
-    std::span<const OccluderBounds> occluders;
-    std::span<const BlockerBounds> blockers;
     InlineVector<glm::dvec4, 4> sides;  ///< of the view
 };
 

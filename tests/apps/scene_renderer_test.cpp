@@ -41,15 +41,15 @@ protected:
     void expectAsFresh(const Frame& frame) {
         PlannedScene anew = must(planScene(view, shafts));
         anew.scene.instances = planned->scene.instances;
-        anew.facts = surveyScene(anew.scene);
+        anew.facts = must(surveyScene(anew.scene));
         anew.lights = planned->lights;
         anew.view = planned->view;
         SceneRenderer fresh = must(SceneRenderer::create(*device, anew.scene));
         EXPECT_TRUE(must(fresh.draw(anew, view, shafts, false)).picture.pixels == frame.picture.pixels)
             << "bit for bit";
-        ASSERT_EQ(anew.facts.blockers.size(), planned->facts.blockers.size());
-        for (std::size_t i = 0; i < anew.facts.blockers.size(); ++i)
-            EXPECT_EQ(anew.facts.blockers[i].triangles, planned->facts.blockers[i].triangles);
+        const auto fromAnew = anew.facts.blockers.blockers(), followed = planned->facts.blockers.blockers();
+        ASSERT_EQ(fromAnew.size(), followed.size());
+        for (std::size_t i = 0; i < fromAnew.size(); ++i) EXPECT_EQ(fromAnew[i].triangles, followed[i].triangles);
     }
 
     /// Far behind the theatre, looking away from it.

@@ -10,14 +10,14 @@ namespace tyndall::bench {
 
 struct City {
     std::vector<Light> lights;
-    std::vector<OccluderBox> houses;
-    std::vector<Blocker> ground;
+    OccluderSet houses;
+    BlockerSet ground;
     std::vector<float> depth;
     View view;
     PlanOptions options;
 
     Surroundings surroundings() const {
-        return {.occluders = std::span(houses), .blockers = ground, .depth = DepthTiles{16, 9, depth}, .surveys = {}};
+        return {.occluders = &houses, .blockers = &ground, .depth = DepthTiles{16, 9, depth}, .surveys = {}};
     }
 };
 
@@ -28,6 +28,7 @@ inline City city(std::size_t lamps) {
     const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(lamps))));
     constexpr double pitch = 16.0;
     const double middle = 0.5 * pitch * static_cast<double>(side);
+    std::vector<OccluderBox> boxes;
     const glm::dmat4 down(glm::dvec4(1, 0, 0, 0), {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
     for (std::size_t i = 0; i < lamps; ++i) {
         Light lamp;
@@ -41,12 +42,14 @@ inline City city(std::size_t lamps) {
         lamp.intensity = 200.0;
         city.lights.push_back(lamp);
         if (i % 4 == 0)
-            city.houses.push_back({glm::dmat4(1.0), {x + 9.0, 0.0, z + 9.0}, {x + 15.0, 12.0, z + 15.0}, {}});
+            boxes.push_back({glm::dmat4(1.0), {x + 9.0, 0.0, z + 9.0}, {x + 15.0, 12.0, z + 15.0}, {}});
     }
     const double edge = middle + 20.0;
-    city.ground.push_back({{{{{-edge, 0, -edge}, {edge, 0, -edge}, {edge, 0, edge}}},
-                            {{{-edge, 0, -edge}, {edge, 0, edge}, {-edge, 0, edge}}}}});
-    city.houses.push_back({glm::dmat4(1.0), {-edge, 0.0, -edge}, {edge, 0.0, edge}, {}});
+    const Blocker ground{{{{{-edge, 0, -edge}, {edge, 0, -edge}, {edge, 0, edge}}},
+                          {{{-edge, 0, -edge}, {edge, 0, edge}, {-edge, 0, edge}}}}};
+    boxes.push_back({glm::dmat4(1.0), {-edge, 0.0, -edge}, {edge, 0.0, edge}, {}});
+    city.houses = OccluderSet::fromBoxes(boxes).value();
+    city.ground = BlockerSet::fromBlockers({ground}).value();
     city.depth.assign(16 * 9, 150.0f);
     glm::dmat4 eye(1.0);
     eye[3] = {0.0, 1.7, 0.0, 1.0};

@@ -69,5 +69,26 @@ TEST_P(TechniqueTest, BothGeometriesMatchTheOracleAndEachOther) {
     }
 }
 
+// Forwards and backwards, from nearly even to a narrow peak, in clear air and in thick.
+class ScatteringTest : public GpuTest {};
+
+TEST_F(ScatteringTest, OfEveryStrengthMatchesTheOracle) {
+    for (const Permutation& permutation : predictedPermutations()) {
+        if (permutation.terms != TermSet{Term::Scattering}) continue;
+        for (NamedShot named : shots()) {
+            if (named.name != "side" && named.name != "orthographic" && named.name != "towards_lamp") continue;
+            for (const double g : {-0.95, -0.4, 0.1, 0.9})
+                for (const double albedo : {0.0, 1.0, 0.1}) {
+                    SCOPED_TRACE(named.name + ", g " + std::to_string(g) + ", albedo " + std::to_string(albedo));
+                    Shot shot = shotFor(permutation, named.shot);
+                    shot.light.anisotropy = g;
+                    shot.light.albedo.reset();
+                    if (albedo > 0.0) shot.light.albedo = albedo;
+                    drawInsideOracle({named.name, shot}, oracle(shot), permutation, Geometry::ExactPolygons);
+                }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace tyndall::test

@@ -55,6 +55,10 @@ OccluderBox randomBox(Random& random, const Light& light) {
     return box;
 }
 
+OccluderSet setOf(const OccluderBox& box) {
+    return OccluderSet::fromBoxes(std::span(&box, 1)).value();
+}
+
 // Share of the way from `from` to `to` at which the segment enters the box; infinite where it misses.
 double entry(const OccluderBox& box, const glm::dvec3& from, const glm::dvec3& to) {
     const glm::dmat4 boxFromWorld = glm::inverse(box.worldFromBox);
@@ -82,12 +86,10 @@ TEST(ShadowNeed, MissesNoOccluder) {
     for (int trial = 0; trial < 2000; ++trial) {
         const Way way = randomWay(random);
         std::vector<OccluderBox> boxes;
-        std::vector<OccluderBounds> bounds;
-        for (int i = 0, count = 1 + static_cast<int>(random() % 3); i < count; ++i) {
+        for (int i = 0, count = 1 + static_cast<int>(random() % 3); i < count; ++i)
             boxes.push_back(randomBox(random, way.light));
-            bounds.push_back(boundsOf(boxes.back()));
-        }
-        const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, bounds, 1024, scratch);
+        const OccluderSet set = OccluderSet::fromBoxes(boxes).value();
+        const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, set, 1024, scratch);
         bool hit = false;
         for (int i = 0; i < 300; ++i) {
             const glm::dvec3 point = seenPoint(random, way);
@@ -139,9 +141,9 @@ TEST(ShadowNeed, CountsWhatFilteringReads) {
     // A texel of a map of 64 is 2 * tan(20 degrees) / 64 = 0.0114 wide: this begins one texel out, at 2 m.
     box.minimum = {2.0 * (0.1 + 0.0114), -0.1, -2.01};
     box.maximum = {0.5, 0.1, -2.0};
-    const OccluderBounds bounds = boundsOf(box);
-    EXPECT_TRUE(shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 64, scratch).needed);
-    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 1024, scratch).needed);
+    const OccluderSet set = setOf(box);
+    EXPECT_TRUE(shadowNeed(way.light, way.pose, way.air, {}, set, 64, scratch).needed);
+    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, set, 1024, scratch).needed);
 }
 
 // A sheet x = 0.2 w - 2e-6, w the distance along the axis, that passes the lamp at 2 micrometres and behind it as well.
@@ -161,8 +163,8 @@ TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
     box.minimum = {-0.21, -2.0, -1.0};
     box.maximum = {0.21, 2.0, 1.0};
     box.triangles = triangles;
-    const OccluderBounds bounds = boundsOf(box);
-    const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, std::span(&bounds, 1), 1024, scratch);
+    const OccluderSet set = setOf(box);
+    const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, set, 1024, scratch);
     ASSERT_TRUE(need.needed);
     for (const double s : {-0.3, -0.1, 0.0, 0.1, 0.19}) {
         EXPECT_LE(need.firstOccluder, 2e-6 / (0.2 - s)) << s;
@@ -184,8 +186,8 @@ TEST(ShadowNeed, LeavesTheWallItselfOut) {
     box.minimum = {-2.0, -2.0, -4.3};
     box.maximum = {2.0, 2.0, -4.0};
     const auto needed = [&] {
-        const OccluderBounds bounds = boundsOf(box);
-        return shadowNeed(way.light, way.pose, way.air, walls, std::span(&bounds, 1), 1024, scratch);
+        const OccluderSet set = setOf(box);
+        return shadowNeed(way.light, way.pose, way.air, walls, set, 1024, scratch);
     };
     EXPECT_FALSE(needed().needed);
     box.maximum.z = -3.9;

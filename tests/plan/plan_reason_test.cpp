@@ -54,13 +54,13 @@ TEST(Reason, TellsWhatIsSpared) {
     Random random(3);
     Scene scene = randomScene(random);
     const auto why = [&] { return reason(planned({scene.light}, scene.view, slices(4)).lights[0], scene.view); };
-    EXPECT_EQ(why(), "The view calls for none of noise, shadow and cookie.");
+    EXPECT_EQ(why(), "The view calls for none of noise, shadow, cookie and scattering.");
     scene.light.cookie = true;
-    EXPECT_EQ(why(), "The view calls for cookie, and not for noise and shadow.");
+    EXPECT_EQ(why(), "The view calls for cookie, and not for noise, shadow and scattering.");
     scene.light.shadow = true;
-    EXPECT_EQ(why(), "The view calls for shadow and cookie, and not for noise.");
+    EXPECT_EQ(why(), "The view calls for shadow and cookie, and not for noise and scattering.");
     scene.light.noise = Noise{};
-    EXPECT_EQ(why(), "The view calls for noise, shadow and cookie.");
+    EXPECT_EQ(why(), "The view calls for noise, shadow and cookie, and not for scattering.");
 }
 
 struct UndrawnCase {

@@ -11,9 +11,10 @@ using namespace test;
 
 // Lights of all kinds among boxes, walls and depths, seen from a path around them.
 struct Stage {
+    Stage(const Stage&) = delete;  // its surroundings point into it
     std::vector<Light> lights;
-    std::vector<OccluderBox> occluders;
-    std::vector<Blocker> blockers;
+    OccluderSet occluders;
+    BlockerSet blockers;
     std::vector<float> depth;
     std::vector<LightSurvey> surveys;
     TextureSurvey pattern;
@@ -24,6 +25,8 @@ struct Stage {
         std::vector<glm::vec4> texels;
         for (int i = 0; i < 64; ++i) texels.push_back(glm::vec4(i % 2 ? 1.0f : 0.0f));
         pattern = surveyTexture(8, 8, texels, true);
+        std::vector<OccluderBox> boxes;
+        std::vector<Blocker> walls;
         for (int i = 0; i < 40; ++i) {
             Light light = projector();
             light.name = "a name that is too long to be kept within the string itself";
@@ -40,14 +43,16 @@ struct Stage {
             box.worldFromBox = rigidMotion(random, 6.0);
             box.minimum = glm::dvec3(-0.3);
             box.maximum = glm::dvec3(0.3);
-            occluders.push_back(box);
+            boxes.push_back(box);
         }
         for (const double y : {-3.0, 6.0})
-            blockers.push_back(
+            walls.push_back(
                 {{{{{-50, y, -50}, {50, y, -50}, {50, y, 50}}}, {{{-50, y, -50}, {50, y, 50}, {-50, y, 50}}}}});
         for (int i = 0; i < 64; ++i) depth.push_back(static_cast<float>(between(random, 5.0, 20.0)));
-        surroundings.occluders = occluders;
-        surroundings.blockers = blockers;
+        occluders = OccluderSet::fromBoxes(boxes).value();
+        blockers = BlockerSet::fromBlockers(std::move(walls)).value();
+        surroundings.occluders = &occluders;
+        surroundings.blockers = &blockers;
         surroundings.depth = DepthTiles{8, 8, depth};
         surroundings.surveys = surveys;
     }
@@ -60,7 +65,7 @@ View onTheWay(int frame) {
 }
 
 TEST(Planner, AllocatesNothingInTheSteadyState) {
-    const Stage stage;
+    Stage stage;
     for (const Spacing spacing : {Spacing::Even, Spacing::Adaptive})
         for (const Geometry geometry : {Geometry::ExactPolygons, Geometry::StretchedQuads})
             for (const Accumulation format : {Accumulation::Rgba16f, Accumulation::Rgba8Routed})
@@ -78,8 +83,11 @@ TEST(Planner, AllocatesNothingInTheSteadyState) {
                     for (int frame = 0; frame < 200; ++frame) {
                         options.time = 0.02 * frame;
                         const View view = onTheWay(frame % 100);  // the second round has been seen before
+                        glm::dmat4 moving(1.0);
+                        moving[3].y = 0.1 * (frame % 100);
                         const std::size_t before = allocations();
                         const bool done =
+                            stage.occluders.move(0, moving) &&
                             planner.plan(stage.lights, view, options, stage.surroundings, plan).has_value();
                         if (frame >= 100) steady += allocations() - before;
                         ASSERT_TRUE(done);

@@ -39,16 +39,16 @@ TEST(ScatteringRange, HoldsEveryPointAndIsNearlyMetBySome) {
         air.any = true;
         air.axisNear = between(random, 0.1, 2.0);
         air.axisFar = air.axisNear + between(random, 0.01, 2.0);
-        air.slideMin = {between(random, -0.5, 0.3), between(random, -0.5, 0.3)};
-        air.slideMax = air.slideMin + glm::dvec2(between(random, 0.01, 0.4), between(random, 0.01, 0.4));
+        air.slopes.min = {between(random, -0.5, 0.3), between(random, -0.5, 0.3)};
+        air.slopes.max = air.slopes.min + glm::dvec2(between(random, 0.01, 0.4), between(random, 0.01, 0.4));
         air.nearDepth = 0.1;
         air.farDepth = 100.0;
         const FactorRange range = scatteringRange(light, view, pose, air);
         double least = std::numeric_limits<double>::infinity(), most = 0.0;
         for (int i = 0; i < 200; ++i) {
             const double axis = between(random, air.axisNear, air.axisFar);
-            const glm::dvec2 slope(between(random, air.slideMin.x, air.slideMax.x),
-                                   between(random, air.slideMin.y, air.slideMax.y));
+            const glm::dvec2 slope(between(random, air.slopes.min.x, air.slopes.max.x),
+                                   between(random, air.slopes.min.y, air.slopes.max.y));
             const glm::dvec3 p(pose.viewFromLight * glm::dvec4(glm::dvec3(slope, -1.0) * axis, 1.0));
             if (-p.z < air.nearDepth) continue;
             const double factor = factorAt(light, view, pose, p);
@@ -56,10 +56,10 @@ TEST(ScatteringRange, HoldsEveryPointAndIsNearlyMetBySome) {
             most = std::max(most, factor);
         }
         if (most == 0.0) continue;
-        EXPECT_LE(range.least.x, least * (1.0 + 1e-9)) << trial;
-        EXPECT_GE(range.most.x, most * (1.0 - 1e-9)) << trial;
-        EXPECT_LE(range.most.x, phasePeak(light) * (1.0 + 1e-12)) << trial;
-        tightest = std::max(tightest, (most - least) / (range.most.x - range.least.x));
+        EXPECT_LE(range.min.x, least * (1.0 + 1e-9)) << trial;
+        EXPECT_GE(range.max.x, most * (1.0 - 1e-9)) << trial;
+        EXPECT_LE(range.max.x, phasePeak(light) * (1.0 + 1e-12)) << trial;
+        tightest = std::max(tightest, (most - least) / (range.max.x - range.min.x));
     }
     EXPECT_GT(tightest, 0.5) << "a bound that nothing comes near tells little";
 }

@@ -9,16 +9,12 @@ namespace {
 using namespace test;
 
 struct Bad {
-    std::vector<OccluderBox> occluders{1};
-    std::vector<Blocker> blockers{1};
     std::vector<float> depth{1.0f, 2.0f};
     DepthTiles tiles{2, 1, {}};
     TextureSurvey survey = surveyTexture(1, 1, std::vector<glm::vec4>(1), false);
     std::vector<LightSurvey> surveys;
 
     Bad() {
-        occluders[0].maximum = glm::dvec3(1.0);
-        blockers[0].triangles = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
         tiles.farthest = depth;
         surveys = {{&survey, nullptr}};
     }
@@ -28,8 +24,6 @@ std::string whyRefused(const Bad& bad) {
     Random random(1);
     const Scene scene = randomScene(random);
     Surroundings surroundings;
-    surroundings.occluders = bad.occluders;
-    surroundings.blockers = bad.blockers;
     surroundings.depth = bad.tiles;
     surroundings.surveys = bad.surveys;
     Planner planner;
@@ -53,7 +47,6 @@ void expectRefused(void (*change)(Bad&), const std::string& words) {
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Surroundings, AreTakenWhereTheyMakeSense) {
     EXPECT_EQ(whyRefused(Bad{}), "");
@@ -71,19 +64,6 @@ TEST(Surroundings, WithWrongNumbersOfEntriesAreRefused) {
 TEST(Surroundings, WithDepthsThatAreNoneAreRefused) {
     expectRefused([](Bad& b) { b.depth[1] = -1.0f; }, "a tile's depth is -1");
     expectRefused([](Bad& b) { b.depth[0] = NAN; }, "a tile's depth is nan");
-}
-
-TEST(Surroundings, WithBoxesThatAreNoneAreRefused) {
-    expectRefused([](Bad& b) { b.occluders[0].minimum.y = nan; }, "occluder 0 has the corner");
-    expectRefused([](Bad& b) { b.occluders[0].maximum.z = infinity; }, "occluder 0 has the corner");
-    expectRefused([](Bad& b) { b.occluders[0].minimum.x = 2.0; }, "occluder 0 has the corner");
-    expectRefused([](Bad& b) { b.occluders[0].worldFromBox[3].x = nan; }, "occluder 0 has a worldFromBox");
-    expectRefused([](Bad& b) { b.occluders[0].worldFromBox[1].w = 1.0; }, "occluder 0 has a worldFromBox");
-}
-
-TEST(Surroundings, WithBlockersThatAreNoneAreRefused) {
-    expectRefused([](Bad& b) { b.blockers[0].triangles[0][2].z = nan; }, "blocker 0 has a corner");
-    expectRefused([](Bad& b) { b.blockers[0].triangles[0][1].x = infinity; }, "blocker 0 has a corner");
 }
 
 }  // namespace

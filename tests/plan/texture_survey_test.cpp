@@ -40,8 +40,8 @@ constexpr double eps = 1e-12;
 
 void expectWithin(const glm::dvec3& value, const TextureRange& range) {
     for (int c = 0; c < 3; ++c) {
-        EXPECT_GE(value[c], range.least[c] - eps);
-        EXPECT_LE(value[c], range.most[c] + eps);
+        EXPECT_GE(value[c], range.min[c] - eps);
+        EXPECT_LE(value[c], range.max[c] + eps);
     }
 }
 
@@ -72,15 +72,15 @@ TEST(TextureSurvey, IsNoWiderThanTheTexels) {
         least = glm::min(least, glm::vec3(texel));
         most = glm::max(most, glm::vec3(texel));
     }
-    EXPECT_EQ(survey.whole.least, least);
-    EXPECT_EQ(survey.whole.most, most);
+    EXPECT_EQ(survey.whole.min, least);
+    EXPECT_EQ(survey.whole.max, most);
     // A single bright texel in the middle of a cell of 8 x 8 shows in that cell alone.
     std::vector<glm::vec4> dark(256 * 256, glm::vec4(0.0f));
     dark[(8 * 5 + 4) * 256 + 8 * 3 + 4] = glm::vec4(1.0f);
     const TextureSurvey spot = surveyTexture(256, 256, dark, false);
     for (int row = 0; row < 32; ++row)
         for (int column = 0; column < 32; ++column)
-            EXPECT_EQ(spot.cells[row * 32 + column].most.r, row == 5 && column == 3 ? 1.0f : 0.0f);
+            EXPECT_EQ(spot.cells[row * 32 + column].max.r, row == 5 && column == 3 ? 1.0f : 0.0f);
 }
 
 TEST(TextureSurvey, RangeWithinHoldsWhatIsReadThere) {
@@ -106,9 +106,9 @@ TEST(TextureSurvey, RangeWithinReadsNoMoreThanTheCellsMet) {
     std::vector<glm::vec4> halves;
     for (int i = 0; i < 64 * 64; ++i) halves.push_back(glm::vec4(i % 64 < 32 ? 1.0f : 0.0f));
     const TextureSurvey survey = surveyTexture(64, 64, halves, false);
-    EXPECT_EQ(rangeWithin(survey, {0.0, 0.0}, {0.46, 1.0}).least.r, 1.0f);
-    EXPECT_EQ(rangeWithin(survey, {0.54, 0.0}, {1.0, 1.0}).most.r, 0.0f);
-    EXPECT_EQ(rangeWithin(survey, {0.46, 0.2}, {0.54, 0.3}).most.r, 1.0f);
+    EXPECT_EQ(rangeWithin(survey, {0.0, 0.0}, {0.46, 1.0}).min.r, 1.0f);
+    EXPECT_EQ(rangeWithin(survey, {0.54, 0.0}, {1.0, 1.0}).max.r, 0.0f);
+    EXPECT_EQ(rangeWithin(survey, {0.46, 0.2}, {0.54, 0.3}).max.r, 1.0f);
 }
 
 TEST(TextureSurvey, DetailIsTheShareOfTheSideThatAFullChangeTakes) {
@@ -128,6 +128,26 @@ TEST(TextureSurvey, DetailIsTheShareOfTheSideThatAFullChangeTakes) {
     const auto ramp = [](int x, int) { return static_cast<float>(x); };
     EXPECT_DOUBLE_EQ(detail(16, false, ramp), 15.0 / 16.0);
     EXPECT_DOUBLE_EQ(detail(16, true, ramp), 1.0 / 16.0);
+}
+
+// A texture of half floats holds other values than it was given: a survey of these alone would not bound what is drawn.
+TEST(TextureSurvey, BoundsWhatHalfFloatsHold) {
+    // 1 + 2^-12 is nearer to 1 than to the next half float, 1 + 2^-10; 1 + 3 * 2^-12 is nearer to that one.
+    const float given[] = {1.0f + 0x1p-12f, 1.0f + 0x3p-12f, 1e-9f, 0.25f};
+    const float held[] = {1.0f, 1.0f + 0x1p-10f, 0.0f, 0.25f};
+    for (int i = 0; i < 4; ++i) {
+        const glm::vec4 texel(given[i]);
+        const TextureSurvey survey = surveyHalfFloatTexture(1, 1, std::span(&texel, 1), false);
+        EXPECT_EQ(survey.whole.min, glm::vec3(held[i]));
+        EXPECT_EQ(survey.whole.max, glm::vec3(held[i]));
+    }
+    Random random(5);
+    const Image image = randomImage(random, 33, 31);
+    const TextureSurvey rounded = surveyHalfFloatTexture(33, 31, image.texels, true),
+                        given32 = surveyTexture(33, 31, image.texels, true);
+    EXPECT_NE(rounded.whole.max, given32.whole.max);
+    EXPECT_NEAR(rounded.whole.max.r, given32.whole.max.r, 0x1p-11);
+    EXPECT_EQ(rounded.cells.size(), given32.cells.size());
 }
 
 }  // namespace

@@ -32,8 +32,13 @@ struct Case {
 
     Plan plan() const {
         Surroundings surroundings;
-        if (occluders) surroundings.occluders = *occluders;
-        surroundings.blockers = blockers;
+        OccluderSet occluderSet;
+        if (occluders) {
+            occluderSet = OccluderSet::fromBoxes(*occluders).value();
+            surroundings.occluders = &occluderSet;
+        }
+        const BlockerSet blockerSet = BlockerSet::fromBlockers(blockers).value();
+        surroundings.blockers = &blockerSet;
         if (!depth.empty()) surroundings.depth = DepthTiles{1, 1, depth};
         const LightSurvey survey{cookie.columns ? &cookie : nullptr, noise.columns ? &noise : nullptr};
         surroundings.surveys = std::span(&survey, 1);

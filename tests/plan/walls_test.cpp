@@ -45,11 +45,10 @@ struct Room {
 };
 
 std::vector<glm::dvec4> wallsIn(const Room& room, std::uint32_t mapSize = 1024) {
-    std::vector<BlockerBounds> bounds;
-    for (const Blocker& blocker : room.blockers) bounds.push_back(boundsOf(blocker));
+    const BlockerSet blockers = BlockerSet::fromBlockers(room.blockers).value();
     WallScratch scratch;
     const LightPose pose = lightPose(room.light.worldFromLight, room.view.worldFromView);
-    const auto walls = wallsOf(room.light, room.view, pose, room.blockers, bounds, mapSize, scratch);
+    const auto walls = wallsOf(room.light, room.view, pose, blockers, mapSize, scratch);
     return {walls.begin(), walls.end()};
 }
 

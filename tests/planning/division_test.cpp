@@ -90,7 +90,7 @@ TEST_F(Division, IsTheUndividedDraw) {
     build(beam(), room);
     const RoomOnGpu gpu(room);
     Surroundings unknown = room.surroundings();
-    unknown.occluders.reset();
+    unknown.occluders = nullptr;
     const Plan whole = planFor(room, false, unknown);
     ASSERT_EQ(whole.parts.size(), 1u);
     const Picture divided = gpu.draw(planFor(room, false, room.surroundings())).picture,
@@ -105,8 +105,8 @@ TEST_F(Division, BeforeTheFirstOccluderThereIsNoShadowMap) {
     const RoomOnGpu gpu(room);
     const Plan plan = planFor(room, false, room.surroundings());
     ASSERT_EQ(plan.parts.size(), 2u);
-    const std::size_t lit = plan.parts[0].shadow ? 1 : 0;
-    EXPECT_TRUE(plan.parts[1 - lit].shadow);
+    const std::size_t lit = plan.parts[0].terms.contains(Term::Shadow) ? 1 : 0;
+    EXPECT_TRUE(plan.parts[1 - lit].terms.contains(Term::Shadow));
     EXPECT_EQ(plan.parts[lit].terms, TermSet{});
     const LightTextures nothing{};
     const RoomOnGpu::Shown with = gpu.draw(onlyPart(plan, lit)), without = gpu.draw(onlyPart(plan, lit), {&nothing, 1});
@@ -137,7 +137,7 @@ TEST_F(Division, UmbraIsNotDrawnAndDark) {
     open.depth.reset();
     const Plan planned = planFor(room, false, open);
     EXPECT_EQ(planned.lights[0].walls, 1u);
-    EXPECT_EQ(planned.lights[0].shadowVerdict, TermVerdict::NoOccluder);
+    EXPECT_EQ(planned.lights[0].verdicts[Term::Shadow], TermVerdict::NoOccluder);
     const RoomOnGpu::Shown some = gpu.draw(planned), all = gpu.draw(planFor(room, true, open));
     EXPECT_GT(litPixels(some.picture), 100);
     EXPECT_LE(changedBySlices(some.picture, all.picture, planned.lights[0]), Room::width * Room::height / 50);

@@ -53,11 +53,11 @@ RC_GTEST_FIXTURE_PROP(PlannedPicture, IsTheOneInWhichNothingIsLeftOut, ()) {
     RC_CLASSIFY(some([](const PlannedLight& light) { return !light.drawn; }), "a light is not drawn");
     RC_CLASSIFY(some([](const PlannedLight& light) { return light.walls > 0; }), "ends at a wall");
     RC_CLASSIFY(some([](const PlannedLight& light) { return light.divided; }), "divided");
-    RC_CLASSIFY(some([](const PlannedLight& light) { return light.shadowVerdict == TermVerdict::NoOccluder; }),
+    RC_CLASSIFY(some([](const PlannedLight& light) { return light.verdicts[Term::Shadow] == TermVerdict::NoOccluder; }),
                 "no occluder");
-    RC_CLASSIFY(some([](const PlannedLight& light) { return light.cookieVerdict == TermVerdict::Uniform; }),
+    RC_CLASSIFY(some([](const PlannedLight& light) { return light.verdicts[Term::Cookie] == TermVerdict::Uniform; }),
                 "uniform cookie");
-    RC_CLASSIFY(some([](const PlannedLight& light) { return light.noiseVerdict == TermVerdict::Invisible; }),
+    RC_CLASSIFY(some([](const PlannedLight& light) { return light.verdicts[Term::Noise] == TermVerdict::Invisible; }),
                 "invisible noise");
     RC_LOG() << "at " << worst.x << ", " << worst.y << ": planned " << worst.planned << ", everything "
              << worst.everything;

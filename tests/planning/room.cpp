@@ -60,12 +60,18 @@ void addQuad(std::vector<Triangle>& triangles, const glm::dvec3& corner, const g
     triangles.push_back({corner, corner + u + v, corner + v});
 }
 
-void addBox(Room& room, const BoxRecipe& recipe) {
+// What a room's sets are made from.
+struct Things {
+    std::vector<OccluderBox> occluders;
+    std::vector<Blocker> blockers;
+};
+
+void addBox(Room& room, Things& things, const BoxRecipe& recipe) {
     OccluderBox box;
     box.worldFromBox = posed(0.1 * glm::dvec3(recipe.x, recipe.y, recipe.z), recipe.yaw, 0.0);
     box.maximum = 0.05 * glm::dvec3(recipe.width, recipe.height, recipe.depth);
     box.minimum = -box.maximum;
-    room.occluders.push_back(box);
+    things.occluders.push_back(box);
     const glm::dmat3 axes(box.worldFromBox);
     const glm::dvec3 size = box.maximum - box.minimum;
     const glm::dvec3 low(box.worldFromBox * glm::dvec4(box.minimum, 1.0));
@@ -78,15 +84,15 @@ void addBox(Room& room, const BoxRecipe& recipe) {
 }
 
 // A flat surface that is an occluder and a blocker as well.
-void addSurface(Room& room, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v) {
+void addSurface(Room& room, Things& things, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v) {
     addQuad(room.triangles, corner, u, v);
     Blocker blocker;
     addQuad(blocker.triangles, corner, u, v);
-    room.blockers.push_back(blocker);
+    things.blockers.push_back(blocker);
     OccluderBox box;
     box.minimum = glm::min(corner, corner + u + v);
     box.maximum = glm::max(corner, corner + u + v);
-    room.occluders.push_back(box);
+    things.occluders.push_back(box);
 }
 
 // Distance from `from`, in lengths of `direction`.
@@ -152,8 +158,8 @@ std::vector<glm::vec4> texelsOf(const Texture& texture) {
 
 Surroundings Room::surroundings() const {
     Surroundings all;
-    all.occluders = occluders;
-    all.blockers = blockers;
+    all.occluders = &occluders;
+    all.blockers = &blockers;
     all.depth = DepthTiles{static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), tiles};
     all.surveys = lightSurveys;
     return all;
@@ -165,9 +171,13 @@ void build(const Recipe& recipe, Room& room) {
         room.slides.push_back(light.slide == Slide::None ? Texture{} : slideOf(light.slide));
         room.dust.push_back(light.dust == Dust::None ? Texture{} : dustOf(light.dust));
     }
-    for (const BoxRecipe& box : recipe.boxes) addBox(room, box);
-    if (recipe.floor) addSurface(room, {-4.0, 0.0, -4.0}, {8.0, 0.0, 0.0}, {0.0, 0.0, 8.0});
-    if (recipe.wall) addSurface(room, {-4.0, 0.0, -4.0}, {8.0, 0.0, 0.0}, {0.0, 4.0, 0.0});
+    Things things;
+    for (const BoxRecipe& box : recipe.boxes) addBox(room, things, box);
+    if (recipe.floor) addSurface(room, things, {-4.0, 0.0, -4.0}, {8.0, 0.0, 0.0}, {0.0, 0.0, 8.0});
+    if (recipe.wall) addSurface(room, things, {-4.0, 0.0, -4.0}, {8.0, 0.0, 0.0}, {0.0, 4.0, 0.0});
+
+    room.occluders = OccluderSet::fromBoxes(things.occluders).value();
+    room.blockers = BlockerSet::fromBlockers(std::move(things.blockers)).value();
 
     const glm::dvec3 eye = 0.1 * glm::dvec3(recipe.eyeX, recipe.eyeY, recipe.eyeZ);
     const double towards = std::atan2(eye.x, eye.z + 1e-9) / degrees;  // -Z at 0

@@ -19,8 +19,8 @@ struct Room {
 
     std::vector<Light> lights;
     std::vector<Texture> slides, dust;  ///< one for each light; empty where it has none
-    std::vector<OccluderBox> occluders;
-    std::vector<Blocker> blockers;
+    OccluderSet occluders;
+    BlockerSet blockers;
     std::vector<Triangle> triangles;  ///< of all surfaces
     View view;
     Texture depth;  ///< stored, at pixel centres

@@ -102,7 +102,7 @@ TEST_F(ZeroCost, OfLightsBesideOneThatIsDrawn) {
 // Terms that a light has and the scene does not call for.
 struct Spared {
     const char* what;
-    TermVerdict PlannedLight::*verdict;
+    Term term;
     TermVerdict expected;
     std::function<void(Recipe&)> change;
 };
@@ -112,15 +112,15 @@ TEST_F(ZeroCost, OfTermsThatAreNotCalledFor) {
     build(withLights({plainLamp()}), plain);
     const RoomOnGpu::Shown bare = RoomOnGpu(plain).draw(planned(plain));
     const Spared terms[] = {
-        {"shadow", &PlannedLight::shadowVerdict, TermVerdict::NoOccluder, [](Recipe& r) { r.lights[0].shadow = true; }},
-        {"shadow of a box behind the lamp", &PlannedLight::shadowVerdict, TermVerdict::NoOccluder,
+        {"shadow", Term::Shadow, TermVerdict::NoOccluder, [](Recipe& r) { r.lights[0].shadow = true; }},
+        {"shadow of a box behind the lamp", Term::Shadow, TermVerdict::NoOccluder,
          [](Recipe& r) {
              r.lights[0].shadow = true;
              r.boxes = {{-38, 15, 0, 4, 4, 4, 0}};
          }},
-        {"cookie", &PlannedLight::cookieVerdict, TermVerdict::Uniform,
+        {"cookie", Term::Cookie, TermVerdict::Uniform,
          [](Recipe& r) { r.lights[0].slide = Slide::Uniform; }},
-        {"noise", &PlannedLight::noiseVerdict, TermVerdict::Uniform,
+        {"noise", Term::Noise, TermVerdict::Uniform,
          [](Recipe& r) { r.lights[0].dust = Dust::Uniform; }},
     };
     for (const Spared& term : terms) {
@@ -129,7 +129,7 @@ TEST_F(ZeroCost, OfTermsThatAreNotCalledFor) {
         Room room;
         build(recipe, room);
         const Plan plan = planned(room);
-        EXPECT_EQ(plan.lights[0].*term.verdict, term.expected) << term.what;
+        EXPECT_EQ(plan.lights[0].verdicts[term.term], term.expected) << term.what;
         const LightTextures nothing{};
         const RoomOnGpu::Shown shown = RoomOnGpu(room).draw(plan, {&nothing, 1});
         EXPECT_EQ(shown.counters.draws, bare.counters.draws) << term.what;

@@ -53,11 +53,11 @@ protected:
         const headless::Image map =
             makeImage({8, 8}, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, "map");
         const Light light = lamp();
-        for (const TermSet drawn : terms) {
+        for (const TermSet each : terms) {
             PlanOptions options;
             options.slices = 16;
             options.accumulation = Accumulation::Rgba32f;
-            options.terms = drawn;
+            options.terms = each;
             const Plan planned = must(plan(std::span(&light, 1), eye(stage), options));
             must(renderer.upload(frame, planned));
             run([&](VkCommandBuffer commands) -> Result<void> {

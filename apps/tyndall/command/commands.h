@@ -12,16 +12,16 @@ namespace tyndall::app {
 
 /// What a command has to say: `output` is its result (standard output), `notes` go beside it. `verdict`, where
 /// there is one, says what the result fails: the work was done, and its answer is no.
-struct Said {
+struct CommandOutput {
     std::string output;
     std::vector<std::string> notes;
     std::optional<std::string> verdict = std::nullopt;
 };
 
-Result<Said> render(const RenderOptions& options);
-Result<Said> explain(const ExplainOptions& options);
+Result<CommandOutput> render(const RenderOptions& options);
+Result<CommandOutput> explain(const ExplainOptions& options);
 /// `progress` is asked now and then whether to go on.
-Result<Said> reference(const ReferenceOptions& options, const Progress& progress);
-Result<Said> compare(const CompareOptions& options);
+Result<CommandOutput> reference(const ReferenceOptions& options, const Progress& progress);
+Result<CommandOutput> compare(const CompareOptions& options);
 
 }  // namespace tyndall::app

@@ -36,7 +36,7 @@ Result<std::string> writeDifference(const std::string& path, const Comparison& c
 
 }  // namespace
 
-Result<Said> compare(const CompareOptions& options) {
+Result<CommandOutput> compare(const CompareOptions& options) {
     if (options.difference)
         if (auto checked = checkDifference(*options.difference, options); !checked)
             return tl::unexpected(checked.error());
@@ -57,7 +57,7 @@ Result<Said> compare(const CompareOptions& options) {
             options.image, options.reference, fmt::join(comparison.image.channels, " "),
             fmt::join(comparison.reference.channels, " "));
 
-    Said said;
+    CommandOutput said;
     if (options.difference) {
         auto written = writeDifference(*options.difference, comparison, options);
         if (!written) return tl::unexpected(written.error());

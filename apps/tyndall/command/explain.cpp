@@ -20,11 +20,11 @@ Result<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
 
 }  // namespace
 
-Result<Said> explain(const ExplainOptions& options) {
+Result<CommandOutput> explain(const ExplainOptions& options) {
     auto planned = planScene(options.view, options.shafts);
     if (!planned) return tl::unexpected(planned.error());
     if (auto done = planAsDrawn(*planned, options); !done) return tl::unexpected(done.error());
-    Said said;
+    CommandOutput said;
     said.output = options.json ? jsonText(planReport(*planned, options.view, options.shafts))
                                : planText(*planned, options.view, options.shafts);
     return said;

@@ -35,7 +35,7 @@ Result<study::ReferenceScene> sceneFor(const ReferenceOptions& options, const Vi
 
 }  // namespace
 
-Result<Said> reference(const ReferenceOptions& options, const Progress& progress) {
+Result<CommandOutput> reference(const ReferenceOptions& options, const Progress& progress) {
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());
     ReferenceRun run;
@@ -70,7 +70,7 @@ Result<Said> reference(const ReferenceOptions& options, const Progress& progress
         if (auto written = writeText(*options.stats, jsonText(report)); !written)
             return tl::unexpected(written.error());
     }
-    Said said;
+    CommandOutput said;
     for (const std::string& warning : viewed->scene.warnings) said.notes.push_back("warning: " + warning);
     for (const IgnoredLight& ignored : viewed->scene.ignoredLights)
         said.notes.push_back(fmt::format("note: {}: {}", ignored.name, ignored.reason));

@@ -28,7 +28,7 @@ Result<void> checkPipelineCache(const RenderOptions& options) {
 
 }  // namespace
 
-Result<Said> render(const RenderOptions& options) {
+Result<CommandOutput> render(const RenderOptions& options) {
     // What can be known to fail is asked first: rendering takes seconds.
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());
@@ -37,7 +37,7 @@ Result<Said> render(const RenderOptions& options) {
     if (!planned) return tl::unexpected(planned.error());
     auto device = headless::Device::create({.validation = options.validate});
     if (!device) return fail("{}", device.error().message);
-    Said said;
+    CommandOutput said;
     auto cache = PipelineCacheFile::open(*device, options.pipelineCache, said.notes);
     auto renderer = SceneRenderer::create(*device, planned->scene, cache.handle());
     if (!renderer) return tl::unexpected(renderer.error());

@@ -35,7 +35,7 @@ void findRange(PlannedScene& planned, const ShaftOptions& shafts) {
 
 Surroundings surroundingsOf(const PlannedScene& planned) {
     Surroundings known = surroundingsOf(planned.facts);
-    if (planned.depth) known.depth = DepthTiles{planned.depth->columns, planned.depth->rows, planned.depth->tiles};
+    if (planned.depth) known.depth = planned.depth->asTiles();
     return known;
 }
 
@@ -54,17 +54,20 @@ Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shaf
     if (!viewed) return tl::unexpected(viewed.error());
     PlannedScene planned;
     static_cast<ViewedScene&>(planned) = std::move(*viewed);
-    planned.facts = surveyScene(planned.scene);
+    auto facts = surveyScene(planned.scene);
+    if (!facts) return fail("{}: {}", view.scene, facts.error());
+    planned.facts = std::move(*facts);
     findRange(planned, shafts);
     if (auto made = makePlan(planned, view, shafts); !made) return tl::unexpected(made.error());
     return planned;
 }
 
-Result<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     planned.depth.reset();
     planned.view.sceneDepth = View{}.sceneDepth;
     planned.instancesInLight = instancesByLight(planned.scene, planned.lights);
-    followInstances(planned.facts, planned.scene);
+    if (auto followed = followInstances(planned.facts, planned.scene); !followed)
+        return fail("{}: {}", view.scene, followed.error());
     findRange(planned, shafts);
     if (shafts.everything) {
         planned.surfaceLights = allLights(planned.lights, planned.instancesInLight);
@@ -76,7 +79,7 @@ Result<void> lookAround(PlannedScene& planned, const ViewOptions& view, const Sh
     return {};
 }
 
-Result<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
+Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
                         const ShaftOptions& shafts) {
     planned.view.sceneDepth = depth.farthest;
     planned.depth = std::move(depth);

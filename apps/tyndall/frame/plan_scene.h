@@ -4,7 +4,6 @@
 #include <tyndall/plan.h>
 
 #include "view_scene.h"
-#include "drawn_depth.h"
 #include "scene_facts.h"
 #include "surface_lights.h"
 
@@ -13,8 +12,8 @@ namespace tyndall::app {
 struct PlannedScene : ViewedScene {
     double range = 1.0;  ///< of 8-bit targets
     SceneFacts facts;
-    std::vector<SurfaceLight> surfaceLights;  ///< by lookAround()
-    std::optional<DrawnDepth> depth;          ///< what the plan was made with
+    std::vector<SurfaceLight> surfaceLights;  ///< by updateSceneFacts()
+    std::optional<DepthSurvey> depth;         ///< what the plan was made with
     double displayStep = 0.0;                 ///< as PlanOptions'
     PlanOptions options;                      ///< what the plan was made with
     Plan plan;
@@ -27,10 +26,10 @@ Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shaf
 
 /// To be called once camera, lights or instances have moved: finds out what plan() may know of the scene as it stands,
 /// and how its lamps light its surfaces. The depth of the frame before is forgotten.
-Result<void> lookAround(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
+Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
 /// Plans again, once the scene's depth and the display's step are known.
-Result<void> planAgain(PlannedScene& planned, DrawnDepth depth, double displayStep, const ViewOptions& view,
+Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
                         const ShaftOptions& shafts);
 
 /// What the plan would be if nothing were left out.

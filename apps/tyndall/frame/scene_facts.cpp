@@ -1,25 +1,32 @@
 #include "scene_facts.h"
 
-#include <glm/gtc/packing.hpp>
-
-#include "blockers.h"
-
 namespace tyndall::app {
 namespace {
 
-/// Of the values that the device gets: half floats.
+std::vector<MeshTriangles> trianglesOf(const Scene& scene) {
+    std::vector<MeshTriangles> meshes;
+    for (const Mesh& mesh : scene.meshes)
+        meshes.push_back({.positions = mesh.vertices.empty() ? nullptr : &mesh.vertices[0].position,
+                          .vertices = mesh.vertices.size(),
+                          .stride = sizeof(Vertex),
+                          .indices = mesh.indices});
+    return meshes;
+}
+
+/// The device gets half floats.
 TextureSurvey surveyOf(const Image& image, bool wraps) {
-    std::vector<glm::vec4> texels(image.texels.size());
-    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::unpackHalf4x16(glm::packHalf4x16(image.texels[i]));
-    return surveyTexture(static_cast<int>(image.width), static_cast<int>(image.height), texels, wraps);
+    return surveyHalfFloatTexture(static_cast<int>(image.width), static_cast<int>(image.height), image.texels, wraps);
 }
 
 }  // namespace
 
-SceneFacts surveyScene(const Scene& scene) {
-    SceneFacts facts;
-    facts.occluders = occluderBoxes(scene);
-    facts.blockers = findBlockers(scene);
+Result<SceneFacts> surveyScene(const Scene& scene) {
+    const std::vector<MeshTriangles> meshes = trianglesOf(scene);
+    auto occluders = OccluderSet::fromMeshes(meshes, scene.instances);
+    if (!occluders) return fail("{}", occluders.error().message);
+    auto blockers = BlockerSet::fromMeshes(meshes, scene.instances);
+    if (!blockers) return fail("{}", blockers.error().message);
+    SceneFacts facts{std::move(*occluders), std::move(*blockers), {}, {}, {}};
     facts.cookies.resize(scene.images.size());
     facts.noises.resize(scene.images.size());
     for (const SceneLight& light : scene.lights) {
@@ -34,15 +41,21 @@ SceneFacts surveyScene(const Scene& scene) {
     return facts;
 }
 
-void followInstances(SceneFacts& facts, const Scene& scene) {
-    if (moveBoxes(facts.occluders, scene)) facts.blockers = findBlockers(scene);
+Result<void> followInstances(SceneFacts& facts, const Scene& scene) {
+    bool moved = false;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const auto one = facts.occluders.move(i, scene.instances[i].worldFromMesh);
+        if (!one) return fail("{}", one.error().message);
+        moved = moved || *one;
+    }
+    if (!moved) return {};
+    if (const auto found = facts.blockers.update(trianglesOf(scene), scene.instances); !found)
+        return fail("{}", found.error().message);
+    return {};
 }
 
 Surroundings surroundingsOf(const SceneFacts& facts) {
-    return {.occluders = std::span(facts.occluders.boxes),
-            .blockers = facts.blockers,
-            .depth = {},
-            .surveys = facts.surveys};
+    return {.occluders = &facts.occluders, .blockers = &facts.blockers, .depth = {}, .surveys = facts.surveys};
 }
 
 }  // namespace tyndall::app

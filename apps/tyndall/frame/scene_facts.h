@@ -1,4 +1,4 @@
-// What a plan may know of a scene, read off it once.
+// What a plan may know of a scene: the library's surveys of it.
 #pragma once
 
 #include <tyndall/surroundings.h>
@@ -6,22 +6,22 @@
 #include <optional>
 #include <vector>
 
+#include <kit/fail.h>
 #include "../scene/scene.h"
-#include "occluder_boxes.h"
 
 namespace tyndall::app {
 
 struct SceneFacts {
-    OccluderBoxes occluders;
-    std::vector<Blocker> blockers;
+    OccluderSet occluders;
+    BlockerSet blockers;
     std::vector<std::optional<TextureSurvey>> cookies, noises;  ///< by Scene::images, of those that lights use as such
     std::vector<LightSurvey> surveys;                           ///< by Scene::lights, into these
 };
 
-SceneFacts surveyScene(const Scene& scene);
+Result<SceneFacts> surveyScene(const Scene& scene);
 
 /// Brings the facts up to date where instances have moved since.
-void followInstances(SceneFacts& facts, const Scene& scene);
+Result<void> followInstances(SceneFacts& facts, const Scene& scene);
 
 /// The facts as plan() takes them, which must not outlive `facts`.
 Surroundings surroundingsOf(const SceneFacts& facts);

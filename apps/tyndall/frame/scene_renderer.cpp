@@ -102,8 +102,11 @@ Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions
         if (!read) return tl::unexpected(read.error());
         surfaces = std::move(*read);
     }
-    return planAgain(planned, summarize(*depths, view.size, planned.view), std::min(stepOf(surfaces, shafts), mostStep),
-                     view, shafts);
+    DepthSurvey depth;
+    if (auto surveyed = passOn(surveyDepth(*depths, view.size.width, view.size.height, planned.view, depth), "the depth as drawn");
+        !surveyed)
+        return surveyed;
+    return replanWithDepth(planned, std::move(depth), std::min(stepOf(surfaces, shafts), mostStep), view, shafts);
 }
 
 /// All that drawShafts() will draw with, on all cores.
@@ -172,14 +175,14 @@ void SceneRenderer::finishStatistics() {
 
 Result<void> SceneRenderer::plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     startFrame();
-    if (auto looked = lookAround(planned, view, shafts); !looked) return looked;
+    if (auto looked = updateSceneFacts(planned, view, shafts); !looked) return looked;
     return planAsDrawn(planned, view, shafts, std::numeric_limits<double>::infinity());
 }
 
 Result<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
                                    bool measure) {
     startFrame();
-    if (auto looked = lookAround(planned, view, shafts); !looked) return tl::unexpected(looked.error());
+    if (auto looked = updateSceneFacts(planned, view, shafts); !looked) return tl::unexpected(looked.error());
     // What is too faint is judged by the exposure of the surfaces alone. The shafts brighten the picture, and so darken
     // its exposure, as a rule; where they do not, it is drawn again, more carefully, and at last with nothing left out.
     double mostStep = std::numeric_limits<double>::infinity();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tyndall/light.h>
+#include <tyndall/meshes.h>
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -39,11 +40,6 @@ struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     Material material;
-};
-
-struct MeshInstance {
-    std::size_t mesh = 0;  ///< index into Scene::meshes
-    glm::dmat4 worldFromMesh{1.0};
 };
 
 struct Camera {
@@ -87,7 +83,7 @@ struct Scene {
     std::vector<Image> images;  ///< what is drawn with; lights and meshes share them
     std::vector<Image> slides;  ///< what cones were baked into; never drawn with
     std::vector<Mesh> meshes;
-    std::vector<MeshInstance> instances;
+    std::vector<MeshInstance> instances;  ///< of meshes
     std::vector<Camera> cameras;
     std::vector<SceneLight> lights;
     std::vector<IgnoredLight> ignoredLights;

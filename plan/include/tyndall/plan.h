@@ -178,8 +178,8 @@ struct Plan {
 /// any of them is not finite (View::farPlane may be infinite), where the routed format meets a number of
 /// slices that four does not divide, where stretched quads meet more than two extra clip planes, where lights times
 /// slices exceed 2^24 (those that are drawn), where surveys or depth tiles do not have the stated number of entries,
-/// where boxes, blockers or depths are no such thing, or where a light's strength or noise overflows the shader's
-/// floats. Lights that would not be drawn are checked too.
+/// where a tile's depth is negative or not a number, or where a light's strength or noise overflows the shader's floats.
+/// Lights that would not be drawn are checked too.
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings = {});
 

@@ -8,10 +8,10 @@
 
 namespace tyndall {
 
-/// Least and most of each channel.
+/// Of each channel.
 struct TextureRange {
-    glm::vec3 least{0.0f};
-    glm::vec3 most{0.0f};
+    glm::vec3 min{0.0f};
+    glm::vec3 max{0.0f};
 };
 
 /// A texture's values, cell by cell. One survey serves all the lights that share the texture.
@@ -20,8 +20,8 @@ struct TextureSurvey {
     std::vector<TextureRange> cells;  ///< of every texel that bilinear filtering reads within the cell
     TextureRange whole;
     /// Octagon of texture coordinates outside of which a clamped lookup is black, as a cone's cookie is in its corners:
-    /// least and most of u, v, u + v and u - v. Nothing is lit where a least lies above its most.
-    std::array<double, 4> litLeast{0.0, 0.0, 0.0, -1.0}, litMost{1.0, 1.0, 2.0, 1.0};
+    /// bounds of u, v, u + v and u - v. Nothing is lit where a minimum lies above its maximum.
+    std::array<double, 4> litMin{0.0, 0.0, 0.0, -1.0}, litMax{1.0, 1.0, 2.0, 1.0};
     double detail = 1.0;  ///< share of the texture's side over which it changes by its whole range, from the steepest
                           ///< step between neighbouring texels: a hard edge is a texel wide, a soft cone half the side
 };
@@ -31,7 +31,12 @@ struct TextureSurvey {
 /// as noise does; otherwise its edge is clamped, as a cookie's.
 TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps);
 
+/// The same of what a texture of half floats, VK_FORMAT_R16G16B16A16_SFLOAT, holds once it is given `texels`: each
+/// value rounded to the nearest half float. A survey of the values before they are rounded does not bound what is
+/// drawn.
+TextureSurvey surveyHalfFloatTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps);
+
 /// Bounds of what bilinear filtering reads of a clamped texture within a rectangle of texture coordinates.
-TextureRange rangeWithin(const TextureSurvey& survey, const glm::dvec2& least, const glm::dvec2& most);
+TextureRange rangeWithin(const TextureSurvey& survey, const glm::dvec2& min, const glm::dvec2& max);
 
 }  // namespace tyndall

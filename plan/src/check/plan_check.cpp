@@ -13,6 +13,14 @@ std::string text(double number) {
     return digits;
 }
 
+std::string text(const glm::dvec3& v) {
+    return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")";
+}
+
+bool isFinite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 tl::unexpected<Error> broken(const std::string& sentence) {
     return tl::unexpected<Error>(Error{ErrorCode::InvalidArgument, sentence});
 }
@@ -82,43 +90,6 @@ Result<void> checkOptions(const PlanOptions& options) {
     return {};
 }
 
-namespace {
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-std::string triple(const glm::dvec3& v) {
-    return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")";
-}
-
-Result<void> checkOccluder(const std::string& place, const OccluderBox& box, std::size_t index) {
-    const auto name = [&] { return place + ": occluder " + std::to_string(index); };
-    bool affine = true;
-    for (int column = 0; column < 4; ++column)
-        affine = affine && isFinite(glm::dvec3(box.worldFromBox[column])) &&
-                 box.worldFromBox[column].w == (column == 3 ? 1.0 : 0.0);
-    if (!affine)
-        return broken(name() +
-                      " has a worldFromBox that is not affine: its numbers must be finite and its last row (0, 0, 0, "
-                      "1); check what it was computed from");
-    if (!isFinite(box.minimum) || !isFinite(box.maximum) || glm::any(glm::greaterThan(box.minimum, box.maximum)))
-        return broken(name() + " has the corners " + triple(box.minimum) + " and " + triple(box.maximum) +
-                      ": they must be finite, and minimum nowhere over maximum; leave out what has no surface");
-    return {};
-}
-
-Result<void> checkBlocker(const std::string& place, const Blocker& blocker, std::size_t index) {
-    for (const std::array<glm::dvec3, 3>& triangle : blocker.triangles)
-        for (const glm::dvec3& corner : triangle)
-            if (!isFinite(corner))
-                return broken(place + ": blocker " + std::to_string(index) + " has a corner at " + triple(corner) +
-                              ": it must be finite; check what it was computed from");
-    return {};
-}
-
-}  // namespace
-
 Result<void> checkSurroundings(const Surroundings& surroundings, std::size_t lights) {
     const std::string place = "surroundings";
     if (!surroundings.surveys.empty() && surroundings.surveys.size() != lights)
@@ -131,12 +102,6 @@ Result<void> checkSurroundings(const Surroundings& surroundings, std::size_t lig
                                static_cast<std::size_t>(survey->columns) * static_cast<std::size_t>(survey->rows)))
                 return broken(place + ": a survey of light " + std::to_string(i) +
                               " is not complete; make it with surveyTexture()");
-    if (surroundings.occluders)
-        for (std::size_t i = 0; i < surroundings.occluders->size(); ++i)
-            if (const Result<void> checked = checkOccluder(place, (*surroundings.occluders)[i], i); !checked)
-                return checked;
-    for (std::size_t i = 0; i < surroundings.blockers.size(); ++i)
-        if (const Result<void> checked = checkBlocker(place, surroundings.blockers[i], i); !checked) return checked;
     if (!surroundings.depth) return {};
     const DepthTiles& tiles = *surroundings.depth;
     if (tiles.columns == 0 || tiles.rows == 0 || tiles.farthest.size() != std::size_t{tiles.columns} * tiles.rows)

@@ -24,6 +24,10 @@ std::string placeOf(const Light& light, std::size_t index);
 
 /// Nine significant digits, as short as they allow.
 std::string text(double number);
+/// As "(x, y, z)".
+std::string text(const glm::dvec3& v);
+
+bool isFinite(const glm::dvec3& v);
 
 tl::unexpected<Error> broken(const std::string& sentence);
 

@@ -71,7 +71,7 @@ NeededTerms neededTerms(const PlanContext& context, const Light& light, const Li
     needed.shadow = {false, light.nearPlane, light.nearPlane, {}};
     if (light.shadow && !options.terms && seen.air.any && context.surroundings.occluders) {
         needed.shadow = shadowNeed(light, seen.pose, seen.air, {seen.walls.data(), seen.walls.size()},
-                                   context.occluders, options.shadowMapSize, scratch);
+                                   *context.surroundings.occluders, options.shadowMapSize, scratch);
         needed.divisible = needed.shadow.needed;
         if (!options.everything && !needed.shadow.needed) needed.verdicts[Term::Shadow] = TermVerdict::NoOccluder;
     }

@@ -8,15 +8,13 @@
 #include "shape/light_shape.h"
 #include "shape/shadow_projection.h"
 #include "shape/slide.h"
+#include "survey/box_margin.h"
 #include "visibility/walls.h"
 
 namespace tyndall {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-// Boxes come from floats, and surfaces may lie on their faces: metres, and share of the size.
-constexpr double boxMargin = 1e-5, boxShare = 1e-6;
 
 std::array<glm::dvec3, 8> cornersOf(const OccluderBox& box) {
     const glm::dvec3 margin = glm::dvec3(boxShare) * (box.maximum - box.minimum);
@@ -114,21 +112,8 @@ ShadowNeed gather(std::span<OccluderShadow> shadows, const Light& light, const S
 
 }  // namespace
 
-OccluderBounds boundsOf(const OccluderBox& box) {
-    OccluderBounds bounds{box, {}, 0.0};
-    const glm::dvec3 middle = 0.5 * (box.minimum + box.maximum), half = 0.5 * (box.maximum - box.minimum);
-    bounds.centre = glm::dvec3(box.worldFromBox * glm::dvec4(middle, 1.0));
-    for (int corner = 0; corner < 4; ++corner) {  // opposite corners are as far
-        const glm::dvec3 to((corner & 1) ? half.x : -half.x, (corner & 2) ? half.y : -half.y, half.z);
-        bounds.radius = std::max(bounds.radius, glm::length(glm::dmat3(box.worldFromBox) * to));
-    }
-    bounds.radius = bounds.radius * (1.0 + 2.0 * boxShare) + boxMargin;
-    return bounds;
-}
-
 ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& air, std::span<const glm::dvec4> walls,
-                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize,
-                      std::vector<OccluderShadow>& scratch) {
+                      const OccluderSet& occluders, std::uint32_t mapSize, std::vector<OccluderShadow>& scratch) {
     const LightShape shape = shapeOf(light);
     const FrustumPlanes frustum = shadowFrustum(shape, air, mapSize);
     const std::array<glm::dvec4, 6> frustumSides = frustum.all();
@@ -140,17 +125,20 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
     for (const glm::dvec4& wall : walls) lit.push_back(unitPlane(wall * pose.viewFromLight));
 
     scratch.clear();
-    for (const OccluderBounds& occluder : occluders) {
-        const glm::dvec3 centre = lightFromWorld * (occluder.centre - lamp);
+    const std::span<const BoundingSphere> spheres = occluders.spheres();
+    for (std::size_t index = 0; index < spheres.size(); ++index) {
+        const BoundingSphere& sphere = spheres[index];
+        const glm::dvec3 centre = lightFromWorld * (sphere.centre - lamp);
         const auto beyond = [&](const glm::dvec4& plane) {
-            return glm::dot(plane, glm::dvec4(centre, 1.0)) < -occluder.radius;
+            return glm::dot(plane, glm::dvec4(centre, 1.0)) < -sphere.radius;
         };
         if (std::any_of(frustumSides.begin(), frustumSides.end(), beyond)) continue;
 
-        std::array<glm::dvec3, 8> corners = cornersOf(occluder.box);
+        const OccluderBox box = occluders.box(index);
+        std::array<glm::dvec3, 8> corners = cornersOf(box);
         double size = 0.0;
         for (glm::dvec3& corner : corners) {
-            const glm::dvec3 fromLamp = glm::dvec3(occluder.box.worldFromBox * glm::dvec4(corner, 1.0)) - lamp;
+            const glm::dvec3 fromLamp = glm::dvec3(box.worldFromBox * glm::dvec4(corner, 1.0)) - lamp;
             corner = lightFromWorld * fromLamp;
             size = std::max(size, glm::length(corner));
         }
@@ -168,14 +156,14 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         if (std::any_of(planes.begin(), planes.end(), [&](const glm::dvec4& plane) { return !cut(solid, plane, 0.0); }))
             continue;
         OccluderShadow shadow = shadowOf(solid, shape, margin, texels);
-        if (!occluder.box.triangles.empty()) {
+        if (!box.triangles.empty()) {
             // The frustum meets the box: does it meet the triangles?
             // Positions relative to the lamp: far from the world's origin, world coordinates have lost their digits.
-            const glm::dmat4& worldFromBox = occluder.box.worldFromBox;
+            const glm::dmat4& worldFromBox = box.worldFromBox;
             const glm::dmat3 turn = lightFromWorld * glm::dmat3(worldFromBox);
             const glm::dvec3 shift = lightFromWorld * (glm::dvec3(worldFromBox[3]) - lamp);
             shadow = noShadow();
-            for (const std::array<glm::vec3, 3>& triangle : occluder.box.triangles) {
+            for (const std::array<glm::vec3, 3>& triangle : box.triangles) {
                 std::array<glm::dvec3, 3> inLight;
                 for (std::size_t i = 0; i < 3; ++i) inLight[i] = turn * glm::dvec3(triangle[i]) + shift;
                 if (holds(shadow, shape, inLight, margin)) continue;
@@ -204,14 +192,14 @@ FactorRange cookieRange(const Light& light, const SeenAir& air, const TextureSur
     if (!survey) return {glm::dvec3(0.0), glm::dvec3(unbounded)};
     const SlideRange slide = slideFromSlopes(shapeOf(light), air.slopes);
     const TextureRange range = rangeWithin(*survey, slide.min, slide.max);
-    return {range.least, range.most};
+    return {range.min, range.max};
 }
 
 FactorRange noiseRange(const Light& light, const TextureSurvey* survey) {
     if (!light.noise) return {};
     if (light.noise->gain == 0.0) return {glm::dvec3(0.0), glm::dvec3(0.0)};
     if (!survey) return {glm::dvec3(0.0), glm::dvec3(unbounded)};
-    const glm::dvec3 min(survey->whole.least), max(survey->whole.most);
+    const glm::dvec3 min(survey->whole.min), max(survey->whole.max);
     // Values may be negative in a caller's float texture: the product's bounds are among these four.
     const double products[] = {min.r * min.g, min.r * max.g, max.r * min.g, max.r * max.g};
     const auto [low, high] = std::minmax_element(std::begin(products), std::end(products));

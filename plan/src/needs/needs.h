@@ -13,15 +13,6 @@
 
 namespace tyndall {
 
-/// An occluder's box with a sphere around it; the same for every light.
-struct OccluderBounds {
-    OccluderBox box;
-    glm::dvec3 centre{0.0};  ///< world space
-    double radius = 0.0;     ///< metres
-};
-
-OccluderBounds boundsOf(const OccluderBox& box);
-
 /// Which of a light's air may lie in shadow: nothing before `firstOccluder`; from there to `firstLarge` only air within
 /// the slopes; behind that all air.
 struct ShadowNeed {
@@ -40,7 +31,7 @@ struct OccluderShadow {
 /// given, meet the space between both. Occluders behind a wall (planes of view space, see walls.h) do not count.
 /// `mapSize`: texels a side of the shadow map, whose filtering reads a texel farther out. `scratch`: working memory.
 ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& air, std::span<const glm::dvec4> walls,
-                      std::span<const OccluderBounds> occluders, std::uint32_t mapSize, std::vector<OccluderShadow>& scratch);
+                      const OccluderSet& occluders, std::uint32_t mapSize, std::vector<OccluderShadow>& scratch);
 
 /// The factors by which a texture can multiply a light.
 struct FactorRange {

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 namespace tyndall {
 namespace {
 
-constexpr int mostCells = 32;
+constexpr int maxCells = 32;
 
 void widen(TextureRange& range, const TextureRange& other) {
-    range.least = glm::min(range.least, other.least);
-    range.most = glm::max(range.most, other.most);
+    range.min = glm::min(range.min, other.min);
+    range.max = glm::max(range.max, other.max);
 }
 
 class Texels {
@@ -45,8 +46,8 @@ double step(const glm::vec3& a, const glm::vec3& b) {
 // Filtering carries a texel's light to where its own and its neighbours' centres are: a texel to each side.
 void findLit(TextureSurvey& survey, int width, int height, const Texels& source) {
     constexpr double nothing = 1e300;
-    survey.litLeast.fill(nothing);
-    survey.litMost.fill(-nothing);
+    survey.litMin.fill(nothing);
+    survey.litMax.fill(-nothing);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             if (source.at(x, y) == glm::vec3(0.0f)) continue;
@@ -57,8 +58,8 @@ void findLit(TextureSurvey& survey, int width, int height, const Texels& source)
                     const double v = std::clamp((y + 0.5 + down) / height, 0.0, 1.0);
                     const double along[] = {u, v, u + v, u - v};
                     for (std::size_t i = 0; i < 4; ++i) {
-                        survey.litLeast[i] = std::min(survey.litLeast[i], along[i]);
-                        survey.litMost[i] = std::max(survey.litMost[i], along[i]);
+                        survey.litMin[i] = std::min(survey.litMin[i], along[i]);
+                        survey.litMax[i] = std::max(survey.litMax[i], along[i]);
                     }
                 }
         }
@@ -69,8 +70,8 @@ void findLit(TextureSurvey& survey, int width, int height, const Texels& source)
 TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps) {
     const Texels source(width, height, texels, wraps);
     TextureSurvey survey;
-    survey.columns = std::min(width, mostCells);
-    survey.rows = std::min(height, mostCells);
+    survey.columns = std::min(width, maxCells);
+    survey.rows = std::min(height, maxCells);
     survey.whole = {source.at(0, 0), source.at(0, 0)};
     for (int row = 0; row < survey.rows; ++row)
         for (int column = 0; column < survey.columns; ++column) {
@@ -89,19 +90,26 @@ TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> te
             down = std::max(down, step(source.at(x, y), source.at(x, y + 1)));
         }
     if (!wraps) findLit(survey, width, height, source);
-    const double range = step(survey.whole.most, survey.whole.least);
+    const double range = step(survey.whole.max, survey.whole.min);
     if (range > 0.0) survey.detail = std::min({1.0, range / (across * width), range / (down * height)});
     return survey;
 }
 
-TextureRange rangeWithin(const TextureSurvey& survey, const glm::dvec2& least, const glm::dvec2& most) {
+TextureSurvey surveyHalfFloatTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps) {
+    std::vector<glm::vec4> rounded;
+    rounded.reserve(texels.size());
+    for (const glm::vec4& texel : texels) rounded.push_back(glm::unpackHalf4x16(glm::packHalf4x16(texel)));
+    return surveyTexture(width, height, rounded, wraps);
+}
+
+TextureRange rangeWithin(const TextureSurvey& survey, const glm::dvec2& min, const glm::dvec2& max) {
     const auto cell = [](double coordinate, int cells) {
         return static_cast<int>(std::clamp(std::floor(coordinate * cells), 0.0, cells - 1.0));
     };
     // Rounding in the shader's floats moves a coordinate by less than this.
     constexpr double margin = 1e-4;
-    const int left = cell(least.x - margin, survey.columns), right = cell(most.x + margin, survey.columns);
-    const int top = cell(least.y - margin, survey.rows), bottom = cell(most.y + margin, survey.rows);
+    const int left = cell(min.x - margin, survey.columns), right = cell(max.x + margin, survey.columns);
+    const int top = cell(min.y - margin, survey.rows), bottom = cell(max.y + margin, survey.rows);
     const auto at = [&](int column, int row) -> const TextureRange& {
         return survey.cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(survey.columns) +
                             static_cast<std::size_t>(column)];

@@ -136,8 +136,8 @@ InlineVector<glm::dvec4, 8> beamSides(const Light& light, const LightPose& pose,
         const auto plane = [&](double bound, double sign) {
             return unitPlane(sign * slidePlane(shape, d, bound) * pose.lightFromView);
         };
-        if (cookie.litLeast[i] > whole[i][0] + minSpared) sides.push_back(plane(cookie.litLeast[i] - 1e-4, 1.0));
-        if (cookie.litMost[i] < whole[i][1] - minSpared) sides.push_back(plane(cookie.litMost[i] + 1e-4, -1.0));
+        if (cookie.litMin[i] > whole[i][0] + minSpared) sides.push_back(plane(cookie.litMin[i] - 1e-4, 1.0));
+        if (cookie.litMax[i] < whole[i][1] - minSpared) sides.push_back(plane(cookie.litMax[i] + 1e-4, -1.0));
     }
     return sides;
 }

@@ -24,7 +24,7 @@ std::span<const glm::dvec4> spanOf(const Planes& planes) {
 
 SeenLight seenLight(const PlanContext& context, const Light& light, const LightSurvey& survey,
                     const PerTerm<TermVerdict>& asked, WallScratch& scratch) {
-    const auto& [view, options, surroundings, occluders, blockers, sides] = context;
+    const auto& [view, options, surroundings, sides] = context;
     const bool whole = options.everything;
     SeenLight seen;
     seen.pose = lightPose(light.worldFromLight, view.worldFromView);
@@ -32,8 +32,9 @@ SeenLight seenLight(const PlanContext& context, const Light& light, const LightS
     if (seen.verdict != Verdict::Drawn) return seen;
 
     // Stretched quads have no clip distance to spare for walls.
-    if (light.shadow && asked[Term::Shadow] != TermVerdict::Overruled && options.geometry == Geometry::ExactPolygons)
-        seen.walls = wallsOf(light, view, seen.pose, surroundings.blockers, blockers, options.shadowMapSize, scratch);
+    if (surroundings.blockers && light.shadow && asked[Term::Shadow] != TermVerdict::Overruled &&
+        options.geometry == Geometry::ExactPolygons)
+        seen.walls = wallsOf(light, view, seen.pose, *surroundings.blockers, options.shadowMapSize, scratch);
     InlineVector<glm::dvec4, 8> beam;
     if (light.cookie && survey.cookie && asked[Term::Cookie] != TermVerdict::Overruled)
         beam = beamSides(light, seen.pose, *survey.cookie);

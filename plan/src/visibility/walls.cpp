@@ -194,39 +194,16 @@ bool covered(const Candidate& wall, const Candidates& walls, const Light& light,
 
 }  // namespace
 
-BlockerBounds boundsOf(const Blocker& blocker) {
-    BlockerBounds bounds;
-    glm::dvec3 normal(0.0);
-    double largest = 0.0;
-    for (const std::array<glm::dvec3, 3>& t : blocker.triangles) {
-        const glm::dvec3 cross = glm::cross(t[1] - t[0], t[2] - t[0]);
-        const double twice = glm::length(cross);
-        bounds.area += 0.5 * twice;
-        if (twice > largest) {
-            largest = twice;
-            normal = cross / twice;
-            bounds.centre = t[0];
-        }
-    }
-    if (!(bounds.area > 0.0)) return bounds;
-    bounds.plane = glm::dvec4(normal, -glm::dot(normal, bounds.centre));
-    for (const std::array<glm::dvec3, 3>& t : blocker.triangles)
-        for (const glm::dvec3& corner : t)
-            bounds.radius = std::max(bounds.radius, glm::distance(bounds.centre, corner));
-    return bounds;
-}
-
 InlineVector<glm::dvec4, maxWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
-                                            std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
-                                            std::uint32_t mapSize, WallScratch& scratch) {
+                                           const BlockerSet& blockers, std::uint32_t mapSize, WallScratch& scratch) {
     const LightShape shape = shapeOf(light);
-    Candidates walls = candidatesFor(light, shape, view, bounds, mapSize);
+    Candidates walls = candidatesFor(light, shape, view, blockers.bounds(), mapSize);
     // A candidate that is not covered is no wall. Without it the faces of the others grow, so they are tested again.
     std::array<bool, maxWalls> touched{};
     for (bool changed = true; changed && !walls.empty();) {
         changed = false;
         for (std::size_t i = 0; i < walls.size() && !changed; ++i) {
-            if (covered(walls[i], walls, light, shape, blockers[walls[i].blocker], scratch, touched[i])) continue;
+            if (covered(walls[i], walls, light, shape, blockers.blockers()[walls[i].blocker], scratch, touched[i])) continue;
             Candidates kept;
             for (std::size_t k = 0; k < walls.size(); ++k)
                 if (k != i) kept.push_back(walls[k]);

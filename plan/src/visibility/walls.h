@@ -5,8 +5,8 @@
 // ray of the lamp that leaves the part: behind them is umbra, which needs neither slices nor a shadow map.
 #pragma once
 
+#include <tyndall/blocker_set.h>
 #include <tyndall/light.h>
-#include <tyndall/surroundings.h>
 #include <tyndall/view.h>
 
 #include <glm/glm.hpp>
@@ -18,16 +18,6 @@
 #include "visibility/view_pose.h"
 
 namespace tyndall {
-
-/// A blocker's plane and place, the same for every light.
-struct BlockerBounds {
-    glm::dvec4 plane{0.0};  ///< world space, unit normal; zero where it has no area
-    glm::dvec3 centre{0.0};
-    double radius = 0.0;  ///< metres, of a sphere around it
-    double area = 0.0;    ///< square metres
-};
-
-BlockerBounds boundsOf(const Blocker& blocker);
 
 inline constexpr std::size_t maxWalls = 4;
 
@@ -45,11 +35,9 @@ struct WallScratch {
 /// light's whole volume together. A blocker counts only where the lamp and all of the picture's near plane lie on the
 /// same side of it: from the other side the eye would see how a shadow map frays at it. The planes lie wallMargin()
 /// behind the triangles, so that no slice ends before the surface does. A blocker is too steep to be a wall where
-/// mapErrorAt() is more than 1/200 of its distance for a shadow map of `mapSize` texels a side. `bounds` has one entry
-/// for each blocker.
+/// mapErrorAt() is more than 1/200 of its distance for a shadow map of `mapSize` texels a side.
 InlineVector<glm::dvec4, maxWalls> wallsOf(const Light& light, const View& view, const LightPose& pose,
-                                            std::span<const Blocker> blockers, std::span<const BlockerBounds> bounds,
-                                            std::uint32_t mapSize, WallScratch& scratch);
+                                           const BlockerSet& blockers, std::uint32_t mapSize, WallScratch& scratch);
 
 /// Metres along the light's axis by which a shadow map holds these walls to be too near to the lamp: it knows surfaces
 /// only at the centres of its texels. With a smaller bias they would throw shadows on the air before them. `axisLit`:

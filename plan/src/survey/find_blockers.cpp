@@ -1,12 +1,18 @@
-#include "blockers.h"
+#include "survey/find_blockers.h"
 
 #include <algorithm>
+#include <cmath>
 
-namespace tyndall::app {
+#include "survey/read_mesh.h"
+
+namespace tyndall {
 namespace {
 
-constexpr std::size_t most = 64;
-constexpr double leastShare = 1e-3;
+constexpr std::size_t maxBlockers = 64;
+/// Of the largest blocker's area.
+constexpr double minShare = 1e-3;
+/// Finer planes than these hundreds are no walls: the largest triangles alone open planes.
+constexpr std::size_t maxPlanes = 4 * maxBlockers;
 /// Metres that a corner may lie off its blocker's plane; Blocker grants half a millimetre.
 constexpr double offPlane = 4e-4;
 
@@ -16,15 +22,13 @@ struct Flat {
     double area = 0.0;
 };
 
-std::vector<Flat> triangles(const Scene& scene) {
+std::vector<Flat> flatsOf(std::span<const MeshTriangles> meshes, std::span<const MeshInstance> instances) {
     std::vector<Flat> all;
-    for (const MeshInstance& instance : scene.instances) {
-        const Mesh& mesh = scene.meshes[instance.mesh];
-        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    for (const MeshInstance& instance : instances)
+        for (const std::array<glm::vec3, 3>& triangle : trianglesOf(meshes[instance.mesh])) {
             Flat flat;
             for (std::size_t k = 0; k < 3; ++k)
-                flat.corners[k] = glm::dvec3(instance.worldFromMesh *
-                                             glm::dvec4(glm::dvec3(mesh.vertices[mesh.indices[i + k]].position), 1.0));
+                flat.corners[k] = glm::dvec3(instance.worldFromMesh * glm::dvec4(glm::dvec3(triangle[k]), 1.0));
             const glm::dvec3 cross = glm::cross(flat.corners[1] - flat.corners[0], flat.corners[2] - flat.corners[0]);
             const double twice = glm::length(cross);
             if (!(twice > 0.0)) continue;
@@ -32,11 +36,10 @@ std::vector<Flat> triangles(const Scene& scene) {
             flat.area = 0.5 * twice;
             all.push_back(flat);
         }
-    }
     return all;
 }
 
-/// The plane of the largest of its triangles, which come first.
+/// The plane of the largest of its triangles, which is the first.
 struct Plane {
     glm::dvec3 point, normal;
     double area = 0.0;
@@ -51,16 +54,14 @@ struct Plane {
 
 }  // namespace
 
-std::vector<Blocker> findBlockers(const Scene& scene) {
-    std::vector<Flat> flats = triangles(scene);
+std::vector<Blocker> findBlockers(std::span<const MeshTriangles> meshes, std::span<const MeshInstance> instances) {
+    std::vector<Flat> flats = flatsOf(meshes, instances);
     std::stable_sort(flats.begin(), flats.end(), [](const Flat& a, const Flat& b) { return a.area > b.area; });
-    // Planes are opened by the largest triangles alone: what is finer than a few hundred planes is no wall.
-    constexpr std::size_t mostOpened = 4 * most;
     std::vector<Plane> planes;
     for (const Flat& flat : flats) {
         auto plane = std::find_if(planes.begin(), planes.end(), [&](const Plane& p) { return p.holds(flat); });
         if (plane == planes.end()) {
-            if (planes.size() == mostOpened) continue;
+            if (planes.size() == maxPlanes) continue;
             planes.push_back({flat.corners[0], flat.normal, 0.0, {}});
             plane = planes.end() - 1;
         }
@@ -70,9 +71,9 @@ std::vector<Blocker> findBlockers(const Scene& scene) {
     std::stable_sort(planes.begin(), planes.end(), [](const Plane& a, const Plane& b) { return a.area > b.area; });
     std::vector<Blocker> blockers;
     for (Plane& plane : planes)
-        if (blockers.size() < most && plane.area >= leastShare * planes.front().area)
+        if (blockers.size() < maxBlockers && plane.area >= minShare * planes.front().area)
             blockers.push_back(std::move(plane.blocker));
     return blockers;
 }
 
-}  // namespace tyndall::app
+}  // namespace tyndall

@@ -1,4 +1,4 @@
-#include "studio.h"
+#include "effect_renderer.h"
 
 #include <fmt/format.h>
 #include <headless/commands.h>
@@ -71,20 +71,20 @@ void beginRendering(VkCommandBuffer commands, std::span<const headless::Image> c
 
 }  // namespace
 
-struct Studio::Targets {
+struct EffectRenderer::Targets {
     std::vector<headless::Image> colours;
     headless::Image depth;
 };
 
-Result<std::unique_ptr<Studio>> Studio::create(const headless::Device& device, const permgen::Effect& effect,
+Result<std::unique_ptr<EffectRenderer>> EffectRenderer::create(const headless::Device& device, const permgen::Effect& effect,
                                                 const Fixture& fixture) {
-    std::unique_ptr<Studio> studio(new Studio(device, effect, fixture));
-    for (const auto step : {&Studio::makeBlocks, &Studio::makeTextures, &Studio::makeGeometry, &Studio::makePipelines})
+    std::unique_ptr<EffectRenderer> studio(new EffectRenderer(device, effect, fixture));
+    for (const auto step : {&EffectRenderer::makeBlocks, &EffectRenderer::makeTextures, &EffectRenderer::makeGeometry, &EffectRenderer::makePipelines})
         if (auto made = (studio.get()->*step)(); !made) return tl::unexpected(made.error());
     return studio;
 }
 
-Result<void> Studio::makeBlocks() {
+Result<void> EffectRenderer::makeBlocks() {
     const auto members = blockMembers(effect_);
     if (!members) return tl::unexpected(members.error());
     auto constants = fillConstants(effect_, *members, fixture_);
@@ -104,7 +104,7 @@ Result<void> Studio::makeBlocks() {
     return {};
 }
 
-Result<void> Studio::makeTextures() {
+Result<void> EffectRenderer::makeTextures() {
     const auto texels = rig::makeTextures(effect_, fixture_);
     if (!texels) return tl::unexpected(texels.error());
     for (const auto& [name, image] : *texels) {
@@ -116,7 +116,7 @@ Result<void> Studio::makeTextures() {
     return {};
 }
 
-Result<void> Studio::makeGeometry() {
+Result<void> EffectRenderer::makeGeometry() {
     const ExplicitGeometry geometry = geometryOf(fixture_);
     indexCount_ = static_cast<std::uint32_t>(geometry.indices.size());
     auto indices = headless::Buffer::create(device_, std::as_bytes(std::span(geometry.indices)),
@@ -144,7 +144,7 @@ Result<void> Studio::makeGeometry() {
     return {};
 }
 
-Result<void> Studio::makePipelines() {
+Result<void> EffectRenderer::makePipelines() {
     DeviceContext context{device_.physicalDevice(), device_.device(), VK_NULL_HANDLE, Shaders::Frozen};
     auto frozen = PassPipelines::create(context, effect_);
     if (!frozen) return tl::unexpected(frozen.error().message);
@@ -156,12 +156,12 @@ Result<void> Studio::makePipelines() {
     return {};
 }
 
-bool Studio::canVary(std::string_view resource) const {
+bool EffectRenderer::canVary(std::string_view resource) const {
     const auto block = blocks_.find(resource);
     return textures_.contains(resource) || (block != blocks_.end() && block->second.varies);
 }
 
-Result<Studio::Targets> Studio::makeTargets(const permgen::Technique& technique) const {
+Result<EffectRenderer::Targets> EffectRenderer::makeTargets(const permgen::Technique& technique) const {
     Targets targets;
     headless::ImageInfo info;
     info.extent = {fixture_.width, fixture_.height};
@@ -184,7 +184,7 @@ Result<Studio::Targets> Studio::makeTargets(const permgen::Technique& technique)
     return targets;
 }
 
-Result<void> Studio::recordPass(VkCommandBuffer commands, const Targets& targets, PassPipelines& pipelines,
+Result<void> EffectRenderer::recordPass(VkCommandBuffer commands, const Targets& targets, PassPipelines& pipelines,
                                 const permgen::Pass& pass, Variation variation) {
     if (!pass.vertex.module)
         return tl::unexpected(Error{ErrorCode::InvalidArgument, "the pass has no vertex shader; give it one"});
@@ -215,7 +215,7 @@ Result<void> Studio::recordPass(VkCommandBuffer commands, const Targets& targets
     return {};
 }
 
-void Studio::recordDraw(VkCommandBuffer commands, const Stream& stream) const {
+void EffectRenderer::recordDraw(VkCommandBuffer commands, const Stream& stream) const {
     const VkBuffer vertices = stream.vertices.handle();
     const VkDeviceSize offset = 0, stride = stream.stride;
     vkCmdBindVertexBuffers2(commands, 0, 1, &vertices, &offset, nullptr, &stride);
@@ -223,7 +223,7 @@ void Studio::recordDraw(VkCommandBuffer commands, const Stream& stream) const {
     vkCmdDrawIndexed(commands, indexCount_, 1, 0, 0, 0);
 }
 
-Result<void> Studio::record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
+Result<void> EffectRenderer::record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
                             std::size_t passes, Shaders shaders, Variation variation) {
     PassPipelines& pipelines = shaders == Shaders::Frozen ? *frozen_ : *specialized_;
     for (const headless::Image& image : targets.colours)
@@ -239,7 +239,7 @@ Result<void> Studio::record(VkCommandBuffer commands, const Targets& targets, co
     return {};
 }
 
-Result<Image> Studio::readTargets(const Targets& targets) const {
+Result<Image> EffectRenderer::readTargets(const Targets& targets) const {
     Image whole{static_cast<int>(fixture_.width), 0, 4, {}};
     for (const headless::Image& target : targets.colours) {
         const auto bytes = headless::readback(device_, target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
@@ -251,7 +251,7 @@ Result<Image> Studio::readTargets(const Targets& targets) const {
     return whole;
 }
 
-Result<Image> Studio::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
+Result<Image> EffectRenderer::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
                             Variation variation) {
     const auto targets = makeTargets(technique);
     if (!targets) return tl::unexpected(targets.error());

@@ -23,11 +23,11 @@ namespace tyndall::rig {
 /// One resource with something else in it; empty: none.
 using Variation = std::string_view;
 
-class Studio {
+class EffectRenderer {
 public:
     /// Everything that can be wrong with effect and fixture is found here: the fixture has to give what the effect's
     /// techniques read. `effect` must outlive it.
-    static Result<std::unique_ptr<Studio>> create(const headless::Device& device, const permgen::Effect& effect,
+    static Result<std::unique_ptr<EffectRenderer>> create(const headless::Device& device, const permgen::Effect& effect,
                                                    const Fixture& fixture);
 
     /// The target after the technique's first `passes` passes; further targets stand below the first. With
@@ -55,7 +55,7 @@ private:
     };
     struct Targets;
 
-    Studio(const headless::Device& device, const permgen::Effect& effect, const Fixture& fixture)
+    EffectRenderer(const headless::Device& device, const permgen::Effect& effect, const Fixture& fixture)
         : device_(device), effect_(effect), fixture_(fixture) {}
     Result<void> makeBlocks();
     Result<void> makeTextures();
