@@ -9,10 +9,10 @@ namespace {
 
 class TechniqueCheck {
 public:
-    TechniqueCheck(headless::Device& device, EffectRenderer& studio, const permgen::Effect& effect,
+    TechniqueCheck(headless::Device& device, EffectRenderer& renderer, const permgen::Effect& effect,
                    const permgen::Technique& technique, Tolerance tolerance, const GoldenStore* goldens)
         : device_(device),
-          studio_(studio),
+          renderer_(renderer),
           effect_(effect),
           technique_(technique),
           tolerance_(tolerance),
@@ -29,7 +29,7 @@ private:
     /// The picture, where it can be drawn in silence; else the failure is on record.
     std::optional<Image> draw(const std::string& pass, std::size_t passes, Shaders shaders, Variation variation = {}) {
         device_.clearMessages();
-        auto image = studio_.draw(technique_, passes, shaders, variation);
+        auto image = renderer_.draw(technique_, passes, shaders, variation);
         std::string reason = image ? std::string() : image.error().message;
         for (const std::string& message : device_.messages()) reason += (reason.empty() ? "" : "; ") + message;
         const std::string kind = shaders == Shaders::Frozen ? "frozen" : "specialized";
@@ -69,7 +69,7 @@ private:
         const auto usual = draw({}, technique_.passes.size(), Shaders::Specialized);
         if (!usual) return;
         for (const permgen::Resource& resource : effect_.resources) {
-            if (!studio_.canVary(resource.name)) continue;
+            if (!renderer_.canVary(resource.name)) continue;
             auto varied = draw({}, technique_.passes.size(), Shaders::Specialized, resource.name);
             if (!varied) continue;
             const bool live = std::any_of(technique_.passes.begin(), technique_.passes.end(),
@@ -96,7 +96,7 @@ private:
     }
 
     headless::Device& device_;
-    EffectRenderer& studio_;
+    EffectRenderer& renderer_;
     const permgen::Effect& effect_;
     const permgen::Technique& technique_;
     Tolerance tolerance_;
@@ -110,9 +110,9 @@ bool TechniqueResult::passed() const {
     return std::all_of(checks.begin(), checks.end(), [](const CheckResult& check) { return check.reason.empty(); });
 }
 
-TechniqueResult checkTechnique(headless::Device& device, EffectRenderer& studio, const permgen::Effect& effect,
+TechniqueResult checkTechnique(headless::Device& device, EffectRenderer& renderer, const permgen::Effect& effect,
                                const permgen::Technique& technique, Tolerance tolerance, const GoldenStore* goldens) {
-    return TechniqueCheck(device, studio, effect, technique, tolerance, goldens).run();
+    return TechniqueCheck(device, renderer, effect, technique, tolerance, goldens).run();
 }
 
 std::string passLabel(const permgen::Technique& technique, std::size_t pass) {

@@ -28,7 +28,7 @@ struct TechniqueResult {
 /// After each pass: it can be drawn without a word from validation, every value is finite, specialized and frozen
 /// modules agree bit for bit, and so do two runs; with `goldens`, it is the golden. After all: what is not live
 /// changes nothing, whatever is bound there.
-TechniqueResult checkTechnique(headless::Device& device, EffectRenderer& studio, const permgen::Effect& effect,
+TechniqueResult checkTechnique(headless::Device& device, EffectRenderer& renderer, const permgen::Effect& effect,
                                const permgen::Technique& technique, Tolerance tolerance, const GoldenStore* goldens);
 
 /// What a pass is called in messages and files: its name, or its place where it has none or not one of its own.

@@ -78,10 +78,10 @@ struct EffectRenderer::Targets {
 
 Result<std::unique_ptr<EffectRenderer>> EffectRenderer::create(const headless::Device& device, const permgen::Effect& effect,
                                                 const Fixture& fixture) {
-    std::unique_ptr<EffectRenderer> studio(new EffectRenderer(device, effect, fixture));
+    std::unique_ptr<EffectRenderer> renderer(new EffectRenderer(device, effect, fixture));
     for (const auto step : {&EffectRenderer::makeBlocks, &EffectRenderer::makeTextures, &EffectRenderer::makeGeometry, &EffectRenderer::makePipelines})
-        if (auto made = (studio.get()->*step)(); !made) return tl::unexpected(made.error());
-    return studio;
+        if (auto made = (renderer.get()->*step)(); !made) return tl::unexpected(made.error());
+    return renderer;
 }
 
 Result<void> EffectRenderer::makeBlocks() {

@@ -142,10 +142,10 @@ void forgetOtherTechniques(const Options& options, const permgen::Effect& effect
     if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done) stop(done.error().message);
 }
 
-bool tryOut(headless::Device& device, EffectRenderer& studio, const permgen::Effect& effect,
+bool tryOut(headless::Device& device, EffectRenderer& renderer, const permgen::Effect& effect,
             const permgen::Technique& technique, const Fixture& fixture, const Options& options) {
     const GoldenStore goldens{options.goldens, options.updateGoldens, "run permgen-rig with --update-goldens"};
-    const TechniqueResult result = checkTechnique(device, studio, effect, technique, fixture.tolerance,
+    const TechniqueResult result = checkTechnique(device, renderer, effect, technique, fixture.tolerance,
                                                   options.goldens.empty() ? nullptr : &goldens);
     fmt::print("{}  {}: {} checks over {} pass{}\n", result.passed() ? "ok  " : "FAIL", technique.name,
                result.checks.size(), technique.passes.size(), technique.passes.size() == 1 ? "" : "es");
@@ -173,17 +173,17 @@ Status run(const Options& options) {
     if (!fixture) stop(fixture.error().message);
     checkFrozen(effect, options);
     headless::Device device = openDevice(options);
-    const auto studio = EffectRenderer::create(device, effect, *fixture);
-    if (!studio) stop(studio.error().message);
+    const auto renderer = EffectRenderer::create(device, effect, *fixture);
+    if (!renderer) stop(renderer.error().message);
 
     fmt::print("{}: {} of {} techniques on {}\n", effect.name, effect.techniques.size(), whole.techniques.size(),
                device.name());
-    if (!(*studio)->unsetConstants().empty())
-        fmt::print("note: the fixture leaves these constants at 0: {}\n", fmt::join((*studio)->unsetConstants(), ", "));
+    if (!(*renderer)->unsetConstants().empty())
+        fmt::print("note: the fixture leaves these constants at 0: {}\n", fmt::join((*renderer)->unsetConstants(), ", "));
     forgetOtherTechniques(options, whole);
     std::size_t failed = 0;
     for (const permgen::Technique& technique : effect.techniques)
-        failed += !tryOut(device, **studio, effect, technique, *fixture, options);
+        failed += !tryOut(device, **renderer, effect, technique, *fixture, options);
     if (failed == 0) return Passed;
     fmt::print(
         "{} of {} techniques failed{}\n", failed, effect.techniques.size(),
