@@ -4,14 +4,20 @@
 #include <fmt/format.h>
 #include <tyndall/result.h>
 
+#include <string>
 #include <utility>
 
 namespace tyndall {
 
+/// `sentence` without a trailing newline names place, rule and remedy.
+inline tl::unexpected<Error> failWith(std::string sentence) {
+    return tl::unexpected(Error{ErrorCode::InvalidArgument, std::move(sentence)});
+}
+
 /// One sentence without a trailing newline that names place, rule and remedy.
 template <class... Args>
 tl::unexpected<Error> fail(fmt::format_string<Args...> text, Args&&... args) {
-    return tl::unexpected(Error{ErrorCode::InvalidArgument, fmt::format(text, std::forward<Args>(args)...)});
+    return failWith(fmt::format(text, std::forward<Args>(args)...));
 }
 
 }  // namespace tyndall

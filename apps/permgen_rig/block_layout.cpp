@@ -99,7 +99,7 @@ Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
     std::vector<SpirvModule> modules(effect.modules.size());
     for (std::size_t i = 0; i < modules.size(); ++i)
         if (!permgen::parse_spirv(effect.modules[i]->code, modules[i]))
-            return tl::unexpected(
+            return failWith(
                 fmt::format("the module {} is no SPIR-V; compile the effect again", effect.modules[i]->name));
 
     std::vector<BlockMember> members;
@@ -113,7 +113,7 @@ Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
         for (const SpirvModule& module : modules)
             if (member.block && !declared) declared = findMember(module, *member.block, known.offset);
         if (!declared)
-            return tyndall::fail("no module declares the constant {} of {}; compile the effect again",
+            return failWith(fmt::format("no module declares the constant {} of {}; compile the effect again",
                                               known.name, known.block));
         member.settable = describe(*declared, member);
         members.push_back(std::move(member));

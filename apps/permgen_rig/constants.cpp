@@ -71,7 +71,7 @@ Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector
     for (const auto& [name, given] : fixture.constants) {
         if (std::find(names.begin(), names.end(), name) != names.end()) continue;
         const std::string known = names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "));
-        return tyndall::fail("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name,
+        return failWith(fmt::format("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name,
                                           effect.name, permgen::suggestion(name, names, "; did you mean ", "?"),
                                           known));
     }
@@ -82,7 +82,7 @@ Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector
             continue;
         }
         if (const std::string why = whyNot(member, given->second); !why.empty())
-            return tyndall::fail("{}: constants.{}: {}", fixture.path, member.name, why);
+            return failWith(fmt::format("{}: constants.{}: {}", fixture.path, member.name, why));
         std::vector<std::byte>& bytes = constants.blocks.at(std::string(member.block->name));
         forEachNumber(member, [&](std::size_t index, std::size_t offset) {
             const std::uint32_t bits = bitsOf(member.type, given->second.values[index]);

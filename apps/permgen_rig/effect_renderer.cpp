@@ -1,5 +1,6 @@
 #include "effect_renderer.h"
 
+#include <kit/fail.h>
 #include <fmt/format.h>
 #include <headless/commands.h>
 #include <tyndall/rendering.h>
@@ -16,7 +17,7 @@ constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 
 template <class T>
 Result<T> plain(Result<T> result) {
-    if (!result) return tl::unexpected(result.error().message);
+    if (!result) return tl::unexpected(result.error());
     if constexpr (std::is_void_v<T>)
         return {};
     else
@@ -32,7 +33,7 @@ Result<headless::Image> upload(const headless::Device& device, const Image& texe
     auto image = plain(headless::Image::create(device, info));
     if (!image) return image;
     if (auto done = headless::upload(device, *image, std::as_bytes(std::span(texels.values))); !done)
-        return tl::unexpected(done.error().message);
+        return tl::unexpected(done.error());
     return image;
 }
 
@@ -96,7 +97,7 @@ Result<void> EffectRenderer::makeBlocks() {
         block.varies = other != bytes;
         for (const auto& [buffer, content] : {std::pair(&block.usual, &bytes), {&block.other, &other}}) {
             auto made = headless::Buffer::create(device_, *content, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, name);
-            if (!made) return tl::unexpected(made.error().message);
+            if (!made) return tl::unexpected(made.error());
             *buffer = std::move(*made);
         }
         blocks_.emplace(name, std::move(block));
@@ -121,7 +122,7 @@ Result<void> EffectRenderer::makeGeometry() {
     indexCount_ = static_cast<std::uint32_t>(geometry.indices.size());
     auto indices = headless::Buffer::create(device_, std::as_bytes(std::span(geometry.indices)),
                                             VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "indices");
-    if (!indices) return tl::unexpected(indices.error().message);
+    if (!indices) return tl::unexpected(indices.error());
     indices_ = std::move(*indices);
     std::set<const permgen::Module*> modules;
     for (const permgen::Technique& technique : effect_.techniques)
@@ -129,7 +130,7 @@ Result<void> EffectRenderer::makeGeometry() {
             if (pass.vertex.module) modules.insert(pass.vertex.module);
     for (const permgen::Module* module : modules) {
         auto stream = vertexStream(*module, geometry);
-        if (!stream) return tl::unexpected(fixture_.path + ": " + stream.error().message);
+        if (!stream) return failWith(fixture_.path + ": " + stream.error().message);
         Stream made;
         made.stride = stream->stride;
         for (const VertexAttribute& attribute : stream->attributes)
@@ -137,7 +138,7 @@ Result<void> EffectRenderer::makeGeometry() {
         // The stride is dynamic state, so that there is a buffer to be bound even where nothing is read from it.
         if (stream->bytes.empty()) stream->bytes.resize(16);
         auto buffer = headless::Buffer::create(device_, stream->bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "vertices");
-        if (!buffer) return tl::unexpected(buffer.error().message);
+        if (!buffer) return tl::unexpected(buffer.error());
         made.vertices = std::move(*buffer);
         streams_.emplace(module, std::move(made));
     }
@@ -147,11 +148,11 @@ Result<void> EffectRenderer::makeGeometry() {
 Result<void> EffectRenderer::makePipelines() {
     DeviceContext context{device_.physicalDevice(), device_.device(), VK_NULL_HANDLE, Shaders::Frozen};
     auto frozen = PassPipelines::create(context, effect_);
-    if (!frozen) return tl::unexpected(frozen.error().message);
+    if (!frozen) return tl::unexpected(frozen.error());
     frozen_ = std::make_unique<PassPipelines>(std::move(*frozen));
     context.shaders = Shaders::Specialized;
     auto specialized = PassPipelines::create(context, effect_);
-    if (!specialized) return tl::unexpected(specialized.error().message);
+    if (!specialized) return tl::unexpected(specialized.error());
     specialized_ = std::make_unique<PassPipelines>(std::move(*specialized));
     return {};
 }
@@ -170,7 +171,7 @@ Result<EffectRenderer::Targets> EffectRenderer::makeTargets(const permgen::Techn
     info.name = "target";
     for (std::uint32_t i = 0; i < targetsOf(technique); ++i) {
         auto image = headless::Image::create(device_, info);
-        if (!image) return tl::unexpected(image.error().message);
+        if (!image) return tl::unexpected(image.error());
         targets.colours.push_back(std::move(*image));
     }
     if (fixture_.depth) {
@@ -178,7 +179,7 @@ Result<EffectRenderer::Targets> EffectRenderer::makeTargets(const permgen::Techn
         info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         info.name = "depth";
         auto image = headless::Image::create(device_, info);
-        if (!image) return tl::unexpected(image.error().message);
+        if (!image) return tl::unexpected(image.error());
         targets.depth = std::move(*image);
     }
     return targets;
@@ -243,7 +244,7 @@ Result<Image> EffectRenderer::readTargets(const Targets& targets) const {
     Image whole{static_cast<int>(fixture_.width), 0, 4, {}};
     for (const headless::Image& target : targets.colours) {
         const auto bytes = headless::readback(device_, target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-        if (!bytes) return tl::unexpected(bytes.error().message);
+        if (!bytes) return tl::unexpected(bytes.error());
         const std::vector<float> values = decodeTexels(*bytes, fixture_.format);
         whole.values.insert(whole.values.end(), values.begin(), values.end());
         whole.height += static_cast<int>(fixture_.height);
@@ -258,7 +259,7 @@ Result<Image> EffectRenderer::draw(const permgen::Technique& technique, std::siz
     const auto submitted = headless::submitAndWait(device_, [&](VkCommandBuffer commands) {
         return record(commands, *targets, technique, passes, shaders, variation);
     });
-    if (!submitted) return tl::unexpected(submitted.error().message);
+    if (!submitted) return tl::unexpected(submitted.error());
     return readTargets(*targets);
 }
 

@@ -193,19 +193,19 @@ JsonValue::Json parse(const std::string& text, const std::string& path) {
 Result<Fixture> readFixture(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
-        return tl::unexpected(path + ": this is a folder; name a fixture file, as in " +
+        return failWith(path + ": this is a folder; name a fixture file, as in " +
                               (std::filesystem::path(path) / "NAME.rig.json").string());
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file.is_open() || file.bad())
-        return tl::unexpected(path + ": cannot be read; name a fixture file that is there");
+        return failWith(path + ": cannot be read; name a fixture file that is there");
     try {
         const JsonValue::Json json = parse(text, path);
         return read(JsonValue(json, path + ":"), path);
     } catch (const FixtureFault& fault) {
-        return fail("{}", fault.what());
+        return failWith(std::string(fault.what()));
     } catch (const JsonValue::Json::exception& error) {
-        return tl::unexpected(path + ": this is no JSON: " + error.what());
+        return failWith(path + ": this is no JSON: " + error.what());
     }
 }
 

@@ -1,5 +1,6 @@
 #include "geometry.h"
 
+#include <kit/fail.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -126,7 +127,7 @@ Result<VertexStream> vertexStream(const permgen::Module& module, const ExplicitG
         if (found == geometry.vertices.end()) {
             std::vector<std::string> known;
             for (const auto& [semantic, values] : geometry.vertices) known.push_back(semantic);
-            return tl::unexpected(
+            return failWith(
                 fmt::format("geometry: the vertex shader {} reads {}, and the vertices have {}; give "
                             "\"vertices\" with it",
                             module.name, attribute.semantic, fmt::join(known, ", ")));

@@ -78,7 +78,7 @@ std::string_view readerOf(const permgen::Effect& effect, std::string_view resour
 
 Result<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixture) {
     const auto fail = [&](const std::string& name, const std::string& why) {
-        return tyndall::fail("{}: textures.{}: {}", fixture.path, name, why);
+        return failWith(fmt::format("{}: textures.{}: {}", fixture.path, name, why));
     };
     std::vector<std::string_view> samplers;
     for (const permgen::Resource& resource : effect.resources)

@@ -16,7 +16,7 @@ int fails(int status, const std::string& sentence) {
     return status;
 }
 
-Result<CommandOutput> run(const Request& request) {
+tyndall::Result<CommandOutput> run(const Request& request) {
     if (const auto* options = std::get_if<RenderOptions>(&request)) return render(*options);
     if (const auto* options = std::get_if<ExplainOptions>(&request)) return explain(*options);
     if (const auto* options = std::get_if<ReferenceOptions>(&request)) {

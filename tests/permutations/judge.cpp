@@ -49,7 +49,7 @@ rig::Image imageOf(const std::vector<Allowed>& allowed, int width, int height) {
 void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const rig::Image& image,
            const rig::Image* expected) {
     const rig::Subject subject{permutation.effect(), permutation.name(), std::string(permutation.pass().name), check};
-    rig::Result<void> reported;
+    Result<void> reported;
     if (reason.empty()) {
         reported = rig::reportPass(reportFolder(), subject);
     } else {

@@ -1,7 +1,7 @@
 // Every module that slices.fx comes out as is valid, and names the resources that its tables say: read from the
 // SPIR-V by a reader of the test's own.
 #include <gtest/gtest.h>
-#include <validate.h>
+#include <back/validate.h>
 
 #include <map>
 #include <set>

@@ -91,18 +91,18 @@ TEST(BlockerSet, FindsBlockersAgainWhereAnInstanceHasMoved) {
     SurveyScene scene = tiledRoom();
     BlockerSet set = BlockerSet::fromMeshes(scene.triangles(), scene.instances).value();
     const BlockerSet before = set;
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances), Result<bool>(false));
+    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), false);
     EXPECT_TRUE(sameBlockers(set, before));
     scene.instances[2].worldFromMesh[3].y = 1.0;  // a tile leaves the floor
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances), Result<bool>(true));
+    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), true);
     EXPECT_TRUE(sameBlockers(set, BlockerSet::fromMeshes(scene.triangles(), scene.instances).value()));
     ASSERT_EQ(set.blockers().size(), 3u);
     EXPECT_EQ(set.blockers()[0].triangles.size(), 6u);
     expectBounded(set);
     scene.instances.pop_back();
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances), Result<bool>(true));
+    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), true);
     EXPECT_EQ(set.blockers()[0].triangles.size(), 4u);
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances), Result<bool>(false));
+    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), false);
 
     const BlockerSet moved = set;
     scene.instances[0].worldFromMesh[3].x = std::numeric_limits<double>::infinity();

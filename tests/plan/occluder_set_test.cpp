@@ -82,8 +82,8 @@ TEST(OccluderSet, HasBoxesThatFollowAMeshsShape) {
     SurveyScene scene;
     scene.meshes.emplace_back();
     for (int i = 0; i < 100; ++i) {
-        scene.meshes[0].addTriangle({0.0f, 0.05f * i, 0.0f}, {0.1f, 0.05f * i, 0.0f}, {0.0f, 0.05f * (i + 1), 0.1f});
-        scene.meshes[0].addTriangle({0.05f * i, 5.0f, 0.0f}, {0.05f * (i + 1), 5.1f, 0.0f}, {0.05f * i, 5.0f, 0.1f});
+        scene.meshes[0].addTriangle({0.0f, 0.05f * static_cast<float>(i), 0.0f}, {0.1f, 0.05f * static_cast<float>(i), 0.0f}, {0.0f, 0.05f * static_cast<float>(i + 1), 0.1f});
+        scene.meshes[0].addTriangle({0.05f * static_cast<float>(i), 5.0f, 0.0f}, {0.05f * static_cast<float>(i + 1), 5.1f, 0.0f}, {0.05f * static_cast<float>(i), 5.0f, 0.1f});
     }
     scene.instances = {{0, glm::dmat4(1.0)}};
     const OccluderSet set = OccluderSet::fromMeshes(scene.triangles(), scene.instances).value();
@@ -106,7 +106,7 @@ TEST(OccluderSet, BoundsWhatHasMovedAndNothingElse) {
         const Result<bool> moved = set.move(moving, there);
         EXPECT_EQ(allocations(), allocated);
         ASSERT_TRUE(moved && *moved);
-        EXPECT_EQ(set.move(moving, there), Result<bool>(false)) << "stands there already";
+        EXPECT_EQ(set.move(moving, there).value(), false) << "stands there already";
     }
     expectEqual(set, OccluderSet::fromMeshes(scene.triangles(), scene.instances).value());
     expectHoldsAllTriangles(set, scene);
@@ -138,7 +138,7 @@ TEST(OccluderSet, TakesBoxesOfTheCallersOwn) {
     }
     EXPECT_EQ(set.box(0).triangles[0][1], glm::vec3(1, 0, 0));
     expectSpheresHoldBoxes(set);
-    EXPECT_EQ(set.move(7, glm::dmat4(1.0)), Result<bool>(true));
+    EXPECT_EQ(set.move(7, glm::dmat4(1.0)).value(), true);
     EXPECT_EQ(set.box(7).worldFromBox, glm::dmat4(1.0));
     expectSpheresHoldBoxes(set);
 }

@@ -36,7 +36,7 @@ Result<void> write(const std::string& path, const OIIO::ImageSpec& spec, OIIO::T
         reason = error.message();
     }
     std::filesystem::remove(partial, error);
-    return tyndall::fail("{}: cannot be written: {}; choose another place", path, reason));
+    return failWith(fmt::format("{}: cannot be written: {}; choose another place", path, reason));
 }
 
 }  // namespace
@@ -51,17 +51,17 @@ Result<Image> readImage(const std::string& path) {
         std::error_code ignored;
         const bool there = std::filesystem::exists(path, ignored);
         const std::string reason = OIIO::geterror();  // asked for in any case, or it is printed at the end
-        return tyndall::fail("{}: cannot be read: {}", path, there ? reason : "there is no such file");
+        return failWith(fmt::format("{}: cannot be read: {}", path, there ? reason : "there is no such file"));
     }
     const OIIO::ImageSpec& spec = file->spec();
     if (spec.width < 1 || spec.height < 1 || spec.width > longestSide || spec.height > longestSide || spec.depth > 1)
-        return tyndall::fail("{}: {} x {} pixels are no image of 1 to {} a side; resize it", path,
+        return failWith(fmt::format("{}: {} x {} pixels are no image of 1 to {} a side; resize it", path,
                                           spec.width, spec.height, longestSide));
     if (spec.nchannels < 1 || spec.nchannels > 4)
-        return tyndall::fail("{}: it has {} channels; save it with 1 to 4", path, spec.nchannels));
+        return failWith(fmt::format("{}: it has {} channels; save it with 1 to 4", path, spec.nchannels));
     Image image = blankImage(spec.width, spec.height, spec.nchannels);
     if (!file->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, image.values.data()))
-        return tyndall::fail("{}: cannot be read: {}", path, file->geterror());
+        return failWith(fmt::format("{}: cannot be read: {}", path, file->geterror()));
     return image;
 }
 

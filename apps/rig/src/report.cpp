@@ -1,3 +1,4 @@
+#include <kit/fail.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <rig/report.h>
@@ -46,7 +47,7 @@ private:
 };
 
 tl::unexpected<Error> cannotWrite(const fs::path& folder, const std::string& reason) {
-    return tl::unexpected(
+    return failWith(
         fmt::format("{}: the report cannot be written: {}; choose another folder", folder.string(), reason));
 }
 

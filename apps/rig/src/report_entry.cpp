@@ -1,5 +1,6 @@
 #include "report_entry.h"
 
+#include <kit/fail.h>
 #include <rig/compare.h>
 #include <emit/write_files.h>
 
@@ -76,7 +77,7 @@ Result<void> writeEntry(const std::filesystem::path& folder, const Failure& fail
     json["white"] = white;
     const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (const std::string why = permgen::write_files({{(folder / "entry.json").string(), text}}); !why.empty())
-        return tl::unexpected(why);
+        return failWith(why);
     return {};
 }
 

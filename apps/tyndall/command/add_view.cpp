@@ -1,3 +1,4 @@
+#include <kit/image/picture.h>
 #include <cmath>
 
 #include "add_options.h"

@@ -58,7 +58,7 @@ Result<Request> parseCommandLine(int argc, const char* const* argv) {
             if (command->parsed()) return Help{command->help("tyndall")};
         return Help{app.help()};
     } catch (const CLI::ParseError& wrong) {
-        return tl::unexpected(wrongLine(app, wrong, argc, argv));
+        return failWith(wrongLine(app, wrong, argc, argv));
     }
 
     if (compare->parsed()) return accept(checkCompare(written.compare), written.compare);

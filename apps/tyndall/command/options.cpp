@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <kit/image/picture.h>
+
 #include <charconv>
 
 namespace tyndall::app {

@@ -1,5 +1,7 @@
 #include "frame_targets.h"
 
+#include <kit/fail.h>
+
 #include <tyndall/renderer.h>
 
 namespace tyndall::app {

@@ -55,7 +55,7 @@ Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shaf
     PlannedScene planned;
     static_cast<ViewedScene&>(planned) = std::move(*viewed);
     auto facts = surveyScene(planned.scene);
-    if (!facts) return fail("{}: {}", view.scene, facts.error());
+    if (!facts) return fail("{}: {}", view.scene, facts.error().message);
     planned.facts = std::move(*facts);
     findRange(planned, shafts);
     if (auto made = makePlan(planned, view, shafts); !made) return tl::unexpected(made.error());
@@ -67,7 +67,7 @@ Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, co
     planned.view.sceneDepth = View{}.sceneDepth;
     planned.instancesInLight = instancesByLight(planned.scene, planned.lights);
     if (auto followed = followInstances(planned.facts, planned.scene); !followed)
-        return fail("{}: {}", view.scene, followed.error());
+        return fail("{}: {}", view.scene, followed.error().message);
     findRange(planned, shafts);
     if (shafts.everything) {
         planned.surfaceLights = allLights(planned.lights, planned.instancesInLight);

@@ -306,7 +306,7 @@ Result<void> checkDocument(const json& gltf, bool binary, std::size_t binaryLeng
         checkAnimations(gltf);
         checkNodes(gltf);
     } catch (const Broken& wrong) {
-        return tl::unexpected(wrong.sentence);
+        return failWith(wrong.sentence);
     }
     return {};
 }

@@ -130,7 +130,7 @@ Result<LightExtras> readLightExtras(const json& extras, const std::string& place
     try {
         return read(extras, place, warnings);
     } catch (const Wrong& found) {
-        return tl::unexpected(found.sentence);
+        return failWith(found.sentence);
     }
 }
 
