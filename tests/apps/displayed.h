@@ -8,7 +8,7 @@ namespace tyndall::test {
 
 /// Of a channel's radiance, in the display's range.
 inline double displayed(double radiance, double exposureStops) {
-    return app::srgbFromLinear(static_cast<float>(app::toneMap(radiance, exposureStops)));
+    return tyndall::srgbFromLinear(static_cast<float>(tyndall::toneMap(radiance, exposureStops)));
 }
 
 }  // namespace tyndall::test

@@ -10,7 +10,7 @@ namespace tyndall::test {
 
 /// Errors: std::runtime_error with what the outcome says.
 template <class T>
-T must(app::Result<T> outcome) {
+T must(Result<T> outcome) {
     if (!outcome) throw std::runtime_error(outcome.error().message);
     return std::move(*outcome);
 }
