@@ -36,6 +36,7 @@ inline Light projector() {
 inline Light withTerms(Light light, TermSet terms) {
     if (!light.noise) light.noise.emplace();
     light.shadow = light.cookie = true;
+    light.anisotropy = 0.3;
     return keepOnly(light, terms);
 }
 
