@@ -96,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(SlicesFx, ReferenceTest, testing::ValuesIn(cases()), []
 // a jump by up to half a slab of it (Koksma: the error is at most half a slab times the total variation). So four
 // times the slices leave a quarter of the error. Not quite: a rasterizer puts corners on a grid of 1/256 pixel, and
 // rays that run along a side of the volume see slices there, or not, whose number does not count; that is why
-// the second step is asked for less. A factor of 1.002 anywhere would not get through.
+// the second step is asked for less. A factor of 1.002 anywhere would not get through; of 1.005 with scattering, whose
+// phase and transmittance make a ray's jumps up to twice as large beside its integral in these shots.
 TEST_P(ReferenceTest, SlicesCloseInOnTheIntegral) {
     Shot shot = GetParam().shot.shot;
     std::vector<double> errors;
@@ -111,10 +112,11 @@ TEST_P(ReferenceTest, SlicesCloseInOnTheIntegral) {
     }
     for (std::size_t i = 0; i < errors.size(); ++i)
         RecordProperty("relative_l2_" + std::to_string(i), std::to_string(errors[i]));
-    EXPECT_LT(errors[0], 0.06);
+    const double jumps = GetParam().permutation.terms.contains(Term::Scattering) ? 2.0 : 1.0;
+    EXPECT_LT(errors[0], 0.06 * jumps);
     EXPECT_LT(errors[1], errors[0] / 3.0);
     EXPECT_LT(errors[2], errors[1] / 1.9);
-    EXPECT_LT(errors[2], 0.003);
+    EXPECT_LT(errors[2], 0.003 * jumps);
 }
 
 }  // namespace

@@ -35,17 +35,17 @@ Renderer& Gpu::rendererFor(std::string_view technique, Shaders shaders) {
         if (!context.slices) throw std::runtime_error("slices.fx has no technique " + std::string(technique));
         const permgen::Technique* named = permgen::find_technique(*context.slices, technique);
         if (!named) throw std::runtime_error("the effect has no technique " + std::string(technique));
-        std::vector<permgen::Technique> techniques(context.slices->techniques.begin(),
-                                                   context.slices->techniques.end());
-        for (permgen::Technique& each : techniques) each.passes = named->passes;
-        permgen::Effect effect = *context.slices;
-        effect.techniques = techniques;
-        context.slices = &effect;
+        auto made = std::make_unique<StandIn>();  // the Renderer keeps pointers into it
+        made->techniques.assign(context.slices->techniques.begin(), context.slices->techniques.end());
+        for (permgen::Technique& each : made->techniques) each.passes = named->passes;
+        made->effect = *context.slices;
+        made->effect.techniques = made->techniques;
+        context.slices = &made->effect;
         context.shaders = shaders;
-        Renderer renderer = must(Renderer::create(context));
-        entry = std::make_unique<StandIn>(StandIn{std::move(techniques), effect, std::move(renderer)});
+        made->renderer = must(Renderer::create(context));
+        entry = std::move(made);
     }
-    return entry->renderer;
+    return *entry->renderer;
 }
 
 Gpu& gpu() {

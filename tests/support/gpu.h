@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,7 +23,7 @@ namespace tyndall::test {
 struct StandIn {
     std::vector<permgen::Technique> techniques;
     permgen::Effect effect;
-    Renderer renderer;
+    std::optional<Renderer> renderer;
 };
 
 struct Gpu {
