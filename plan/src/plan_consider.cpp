@@ -19,10 +19,6 @@ Verdict darkness(const Light& light, Look look) {
     return Verdict::Drawn;
 }
 
-double strongest(const glm::dvec3& v) {
-    return std::max({v.x, v.y, v.z});
-}
-
 // The finest that the light may be drawn with, as an angle seen from the lamp. Of the light alone and not of the view,
 // or slabs would jump when what is seen of a cookie turns out uniform.
 double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions& options) {
@@ -41,7 +37,7 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
 
 // Metres of air at the lamp's end whose light is half a display step.
 double visibleSlab(const Light& light, const PlanOptions& options) {
-    const double perMetre = light.density * strongest(light.colour) / (4.0 * 3.14159265358979) *
+    const double perMetre = light.density * greyOf(light) / (4.0 * 3.14159265358979) *
                             maxAttenuation(light) * phasePeak(light);
     return perMetre > 0.0 ? 0.5 * options.displayStep / perMetre : 0.0;
 }
@@ -73,7 +69,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.firstOccluder = whole ? light.nearPlane : needed.shadow.firstOccluder;
 
     candidate.shadowBias =
-        std::max(options.shadowBias, mapErrorAt({seen.walls.data(), seen.walls.size()}, light, seen.pose,
+        std::max(options.shadowBias, mapErrorAt(seen.walls, light, seen.pose,
                                                 seen.volume.axisLit, options.shadowMapSize));
     candidate.slabs = slabsOf(light, context.view, options, seen.pose, seen.volume, detailOf(light, survey, options),
                               visibleSlab(light, options));

@@ -28,7 +28,7 @@ Picture pictureOf(const study::ReferenceImage& image) {
 Result<study::ReferenceScene> sceneFor(const ReferenceOptions& options, const ViewedScene& viewed, ReferenceRun& run) {
     if (options.mode == study::Mode::Ideal) return idealScene(viewed, options.view);
     auto device = headless::Device::create();
-    if (!device) return fail("{}", device.error().message);
+    if (!device) return tl::unexpected(device.error());
     run.device = std::string(device->name());
     return hardwareScene(*device, viewed, options.view, options.shadowSize);
 }

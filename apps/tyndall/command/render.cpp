@@ -36,7 +36,7 @@ Result<CommandOutput> render(const RenderOptions& options) {
     auto planned = planScene(options.view, options.shafts);
     if (!planned) return tl::unexpected(planned.error());
     auto device = headless::Device::create({.validation = options.validate});
-    if (!device) return fail("{}", device.error().message);
+    if (!device) return tl::unexpected(device.error());
     CommandOutput said;
     auto cache = PipelineCacheFile::open(*device, options.pipelineCache, said.notes);
     auto renderer = SceneRenderer::create(*device, planned->scene, cache.handle());

@@ -3,22 +3,18 @@
 
 #include <tyndall/result.h>
 
+#include <string>
 #include <utility>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 
-/// The value, or the error with `what` before it.
+/// The value, or the error with `what` before its sentence. Its code and the API's own result stay.
 template <class T>
 Result<T> passOn(Result<T> result, const char* what) {
-    if (result) return std::move(*result);
-    return fail("{}: {}", what, result.error().message);
-}
-
-inline Result<void> passOn(const Result<void>& result, const char* what) {
-    if (result) return {};
-    return fail("{}: {}", what, result.error().message);
+    return std::move(result).map_error([what](Error error) {
+        error.message = std::string(what) + ": " + error.message;
+        return error;
+    });
 }
 
 }  // namespace tyndall::app

@@ -1,5 +1,7 @@
 #include "plan_scene.h"
 
+#include <kit/fail.h>
+
 #include "automatic_range.h"
 #include "scene_view.h"
 

@@ -23,9 +23,9 @@ TextureSurvey surveyOf(const Image& image, bool wraps) {
 Result<SceneFacts> surveyScene(const Scene& scene) {
     const std::vector<MeshTriangles> meshes = trianglesOf(scene);
     auto occluders = OccluderSet::fromMeshes(meshes, scene.instances);
-    if (!occluders) return fail("{}", occluders.error().message);
+    if (!occluders) return tl::unexpected(occluders.error());
     auto blockers = BlockerSet::fromMeshes(meshes, scene.instances);
-    if (!blockers) return fail("{}", blockers.error().message);
+    if (!blockers) return tl::unexpected(blockers.error());
     SceneFacts facts{std::move(*occluders), std::move(*blockers), {}, {}, {}};
     facts.cookies.resize(scene.images.size());
     facts.noises.resize(scene.images.size());
@@ -45,12 +45,12 @@ Result<void> followInstances(SceneFacts& facts, const Scene& scene) {
     bool moved = false;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const auto one = facts.occluders.move(i, scene.instances[i].worldFromMesh);
-        if (!one) return fail("{}", one.error().message);
+        if (!one) return tl::unexpected(one.error());
         moved = moved || *one;
     }
     if (!moved) return {};
     if (const auto found = facts.blockers.update(trianglesOf(scene), scene.instances); !found)
-        return fail("{}", found.error().message);
+        return tl::unexpected(found.error());
     return {};
 }
 

@@ -1,12 +1,12 @@
 // What a plan may know of a scene: the library's surveys of it.
 #pragma once
 
+#include <tyndall/result.h>
 #include <tyndall/surroundings.h>
 
 #include <optional>
 #include <vector>
 
-#include <kit/fail.h>
 #include "../scene/scene.h"
 
 namespace tyndall::app {

@@ -47,7 +47,7 @@ std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
 Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene,
                                              VkPipelineCache cache) {
     auto renderer = Renderer::create({device.physicalDevice(), device.device(), cache});
-    if (!renderer) return fail("{}", renderer.error().message);
+    if (!renderer) return tl::unexpected(renderer.error());
     auto pipelines = surfacePipelines(device, cache);
     if (!pipelines) return tl::unexpected(pipelines.error());
     auto gpu = uploadMeshes(device, scene);

@@ -28,7 +28,7 @@ Result<void> neededLights(Planner& planner, std::span<const Light> lights, const
     options.slices = 1;
     options.shadowMapSize = shadowSize;
     if (const auto made = planner.plan(bare, view, options, known, plan); !made)
-        return fail("{}", made.error().message);
+        return tl::unexpected(made.error());
     needed.clear();
     for (const PlannedLight& light : plan.lights) {
         const auto first = plan.walls.begin() + light.firstWall;

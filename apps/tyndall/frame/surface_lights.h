@@ -4,13 +4,12 @@
 
 #include <tyndall/light.h>
 #include <tyndall/plan.h>
+#include <tyndall/result.h>
 #include <tyndall/surroundings.h>
 #include <tyndall/view.h>
 
 #include <span>
 #include <vector>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 

@@ -33,6 +33,7 @@ public:
     void clear() { size_ = 0; }
     bool empty() const { return size_ == 0; }
     std::size_t size() const { return size_; }
+    T* data() { return items_.data(); }
     const T* data() const { return items_.data(); }
     T& operator[](std::size_t i) { return items_[i]; }
     const T& operator[](std::size_t i) const { return items_[i]; }

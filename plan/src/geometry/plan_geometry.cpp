@@ -211,7 +211,7 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
     int before = 0, behind = 0, inUmbra = 0;
     for (int i = range.first; i < range.end; ++i) {
         const Slab slab = slabAt(candidate.slabs, i);
-        SlicePolygon polygon = slicePolygon(rectangleMin, rectangleMax, {planes.data(), planes.size()}, slab.middle);
+        SlicePolygon polygon = slicePolygon(rectangleMin, rectangleMax, planes, slab.middle);
         SlicePolygon inside, outside;
         bool umbra = false;
         for (std::size_t k = 0; k < cuts.size(); ++k) {  // the walls come first

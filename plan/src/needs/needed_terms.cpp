@@ -62,7 +62,7 @@ NeededTerms neededTerms(const PlanContext& context, const Light& light, const Li
             }
         for (const Term term : allTerms) {
             const FactorRange& range = needed.ranges[term];
-            if (!termsOf(light).contains(term) || !hasStandIn(term) || !uniform(range)) continue;
+            if (asked[term] != TermVerdict::Drawn || !hasStandIn(term) || !uniform(range)) continue;
             needed.verdicts[term] = TermVerdict::Uniform;
             needed.standIns[term] = range.middle();
         }
@@ -70,7 +70,7 @@ NeededTerms neededTerms(const PlanContext& context, const Light& light, const Li
 
     needed.shadow = {false, light.nearPlane, light.nearPlane, {}};
     if (light.shadow && !options.terms && seen.air.any && context.surroundings.occluders) {
-        needed.shadow = shadowNeed(light, seen.pose, seen.air, {seen.walls.data(), seen.walls.size()},
+        needed.shadow = shadowNeed(light, seen.pose, seen.air, seen.walls,
                                    *context.surroundings.occluders, options.shadowMapSize, scratch);
         needed.divisible = needed.shadow.needed;
         if (!options.everything && !needed.shadow.needed) needed.verdicts[Term::Shadow] = TermVerdict::NoOccluder;

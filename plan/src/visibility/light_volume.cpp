@@ -25,11 +25,6 @@ bool cutAll(ConvexPolyhedron& solid, std::span<const glm::dvec4> planes, double 
                        [&](const glm::dvec4& plane) { return cut(solid, plane, tolerance); });
 }
 
-template <class Planes>
-std::span<const glm::dvec4> spanOf(const Planes& planes) {
-    return {planes.data(), planes.size()};
-}
-
 bool holds(const glm::dvec4& plane, const ConvexPolyhedron& solid) {
     return std::all_of(solid.vertices.begin(), solid.vertices.end(),
                        [&](const glm::dvec3& p) { return glm::dot(plane, glm::dvec4(p, 1.0)) >= 0.0; });
@@ -59,7 +54,7 @@ Verdict measure(LightVolume& volume, const LightShape& shape, const View& view, 
                 std::span<const glm::dvec4> walls, std::span<const glm::dvec4> beam, ConvexPolyhedron& seen) {
     ConvexPolyhedron solid = solidOf(shape, pose);
     const double tolerance = touching * size(solid);
-    if (!cutAll(solid, spanOf(volume.clipPlanes), tolerance)) return Verdict::ClipPlanes;
+    if (!cutAll(solid, volume.clipPlanes, tolerance)) return Verdict::ClipPlanes;
     volume.axisNear = shape.farPlane;
     for (const glm::dvec3& p : solid.vertices) {
         volume.axisNear = std::min(volume.axisNear, axisOf(pose, p));
@@ -79,7 +74,7 @@ Verdict measure(LightVolume& volume, const LightShape& shape, const View& view, 
     const InlineVector<glm::dvec4, 4> sides = viewSides(view, guardBand);
     for (const glm::dvec4& plane : sides)
         if (!holds(plane, solid)) volume.guard.push_back(plane);
-    cutAll(within, spanOf(volume.guard), tolerance);
+    cutAll(within, volume.guard, tolerance);
     volume.boundsMin = volume.boundsMax = glm::dvec2(within.vertices.front());
     for (const glm::dvec3& p : within.vertices) {
         volume.boundsMin = glm::min(volume.boundsMin, glm::dvec2(p));
@@ -100,7 +95,7 @@ Verdict measure(LightVolume& volume, const LightShape& shape, const View& view, 
     for (const glm::dvec4& side : beam) volume.beam.push_back(side);
     const auto shown = [&](ConvexPolyhedron& part) {
         if (!cut(part, before(view.sceneDepth), tolerance)) return Verdict::BehindScene;
-        return cutAll(part, spanOf(viewSides(view, 1.0)), tolerance) ? Verdict::Drawn : Verdict::BesideView;
+        return cutAll(part, viewSides(view, 1.0), tolerance) ? Verdict::Drawn : Verdict::BesideView;
     };
     const Verdict hidden = shown(seen);
     if (hidden == Verdict::Drawn || walls.empty()) return hidden;

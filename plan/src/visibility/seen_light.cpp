@@ -15,11 +15,6 @@ double snapping(const View& view, const PlanOptions& options, double maxDepth) {
     return diagonal * pixelSize(view, options.pictureHeight, maxDepth);
 }
 
-template <class Planes>
-std::span<const glm::dvec4> spanOf(const Planes& planes) {
-    return {planes.data(), planes.size()};
-}
-
 }  // namespace
 
 SeenLight seenLight(const PlanContext& context, const Light& light, const LightSurvey& survey,
@@ -28,7 +23,7 @@ SeenLight seenLight(const PlanContext& context, const Light& light, const LightS
     const bool whole = options.everything;
     SeenLight seen;
     seen.pose = lightPose(light.worldFromLight, view.worldFromView);
-    if (!whole) seen.verdict = hiddenAtAGlance(light, view, seen.pose, spanOf(sides));
+    if (!whole) seen.verdict = hiddenAtAGlance(light, view, seen.pose, sides);
     if (seen.verdict != Verdict::Drawn) return seen;
 
     // Stretched quads have no clip distance to spare for walls.
@@ -39,7 +34,7 @@ SeenLight seenLight(const PlanContext& context, const Light& light, const LightS
     if (light.cookie && survey.cookie && asked[Term::Cookie] != TermVerdict::Overruled)
         beam = beamSides(light, seen.pose, *survey.cookie);
     ConvexPolyhedron lit;
-    seen.volume = lightVolume(light, view, seen.pose, spanOf(seen.walls), spanOf(beam), lit);
+    seen.volume = lightVolume(light, view, seen.pose, seen.walls, beam, lit);
     LightVolume& volume = seen.volume;
     seen.verdict = volume.hidden;
     seen.measured = volume.farDepth > volume.nearDepth;

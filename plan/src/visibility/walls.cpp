@@ -165,7 +165,7 @@ bool covered(const Candidate& wall, const Candidates& walls, const Light& light,
     for (const Candidate& other : walls)
         if (other.blocker != wall.blocker) planes.push_back(inFrame(frame, other.plane));
     const double half = 4.0 * maxDistance(shape);
-    const SlicePolygon face = slicePolygon(glm::dvec2(-half), glm::dvec2(half), {planes.data(), planes.size()}, 0.0);
+    const SlicePolygon face = slicePolygon(glm::dvec2(-half), glm::dvec2(half), planes, 0.0);
     touched = face.count >= 3;
     if (!touched) return true;
 
