@@ -91,18 +91,18 @@ TEST(BlockerSet, FindsBlockersAgainWhereAnInstanceHasMoved) {
     SurveyScene scene = tiledRoom();
     BlockerSet set = BlockerSet::fromMeshes(scene.triangles(), scene.instances).value();
     const BlockerSet before = set;
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), false);
+    EXPECT_FALSE(set.update(scene.triangles(), scene.instances).value());
     EXPECT_TRUE(sameBlockers(set, before));
     scene.instances[2].worldFromMesh[3].y = 1.0;  // a tile leaves the floor
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), true);
+    EXPECT_TRUE(set.update(scene.triangles(), scene.instances).value());
     EXPECT_TRUE(sameBlockers(set, BlockerSet::fromMeshes(scene.triangles(), scene.instances).value()));
     ASSERT_EQ(set.blockers().size(), 3u);
     EXPECT_EQ(set.blockers()[0].triangles.size(), 6u);
     expectBounded(set);
     scene.instances.pop_back();
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), true);
+    EXPECT_TRUE(set.update(scene.triangles(), scene.instances).value());
     EXPECT_EQ(set.blockers()[0].triangles.size(), 4u);
-    EXPECT_EQ(set.update(scene.triangles(), scene.instances).value(), false);
+    EXPECT_FALSE(set.update(scene.triangles(), scene.instances).value());
 
     const BlockerSet moved = set;
     scene.instances[0].worldFromMesh[3].x = std::numeric_limits<double>::infinity();
@@ -134,6 +134,17 @@ TEST(BlockerSet, RefusesCornersThatAreNotFinite) {
         EXPECT_EQ(set.error().code, ErrorCode::InvalidArgument);
         EXPECT_EQ(set.error().message.find("blocker set: blocker 1 has a corner at (0, 1, "), 0u);
     }
+}
+
+TEST(BlockerSet, RefusesWhatIsNotFlat) {
+    Blocker wall{{{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 4e-4}}}}};
+    EXPECT_TRUE(BlockerSet::fromBlockers({wall}));
+    wall.triangles[1][2].z = 0.001;
+    const Result<BlockerSet> set = BlockerSet::fromBlockers({wall});
+    ASSERT_FALSE(set);
+    EXPECT_NE(set.error().message.find("blocker 0 has a corner at (0, 1, 0.001), 0.001 m off the plane"),
+              std::string::npos)
+        << set.error().message;
 }
 
 }  // namespace

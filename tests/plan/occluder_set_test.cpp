@@ -82,8 +82,9 @@ TEST(OccluderSet, HasBoxesThatFollowAMeshsShape) {
     SurveyScene scene;
     scene.meshes.emplace_back();
     for (int i = 0; i < 100; ++i) {
-        scene.meshes[0].addTriangle({0.0f, 0.05f * static_cast<float>(i), 0.0f}, {0.1f, 0.05f * static_cast<float>(i), 0.0f}, {0.0f, 0.05f * static_cast<float>(i + 1), 0.1f});
-        scene.meshes[0].addTriangle({0.05f * static_cast<float>(i), 5.0f, 0.0f}, {0.05f * static_cast<float>(i + 1), 5.1f, 0.0f}, {0.05f * static_cast<float>(i), 5.0f, 0.1f});
+        const float at = 0.05f * static_cast<float>(i), next = 0.05f * static_cast<float>(i + 1);
+        scene.meshes[0].addTriangle({0.0f, at, 0.0f}, {0.1f, at, 0.0f}, {0.0f, next, 0.1f});
+        scene.meshes[0].addTriangle({at, 5.0f, 0.0f}, {next, 5.1f, 0.0f}, {at, 5.0f, 0.1f});
     }
     scene.instances = {{0, glm::dmat4(1.0)}};
     const OccluderSet set = OccluderSet::fromMeshes(scene.triangles(), scene.instances).value();
@@ -106,7 +107,7 @@ TEST(OccluderSet, BoundsWhatHasMovedAndNothingElse) {
         const Result<bool> moved = set.move(moving, there);
         EXPECT_EQ(allocations(), allocated);
         ASSERT_TRUE(moved && *moved);
-        EXPECT_EQ(set.move(moving, there).value(), false) << "stands there already";
+        EXPECT_FALSE(set.move(moving, there).value()) << "stands there already";
     }
     expectEqual(set, OccluderSet::fromMeshes(scene.triangles(), scene.instances).value());
     expectHoldsAllTriangles(set, scene);
@@ -138,7 +139,7 @@ TEST(OccluderSet, TakesBoxesOfTheCallersOwn) {
     }
     EXPECT_EQ(set.box(0).triangles[0][1], glm::vec3(1, 0, 0));
     expectSpheresHoldBoxes(set);
-    EXPECT_EQ(set.move(7, glm::dmat4(1.0)).value(), true);
+    EXPECT_TRUE(set.move(7, glm::dmat4(1.0)).value());
     EXPECT_EQ(set.box(7).worldFromBox, glm::dmat4(1.0));
     expectSpheresHoldBoxes(set);
 }
@@ -179,7 +180,7 @@ TEST(OccluderSet, RefusesBoxesThatAreNone) {
     expectRefused([](OccluderBox& b) { b.minimum.x = 2.0; }, "the corner");
     expectRefused([](OccluderBox& b) { b.worldFromBox[3].x = nan; }, "a worldFromBox");
     expectRefused([](OccluderBox& b) { b.worldFromBox[1].w = 1.0; }, "a worldFromBox");
-    expectRefused([](OccluderBox&) {}, "a triangle with a corner at (0, nan, 0)");
+    expectRefused([](OccluderBox&) {}, "a triangle with a corner at (0, nan, 0): it must lie between (0, 0, 0) and");
 }
 
 TEST(OccluderSet, RefusesToMoveWhatItHasNotOrNowhere) {

@@ -45,7 +45,8 @@ public:
                                          std::span<const MeshInstance> instances);
 
     /// Blockers of the caller's own, those that are worth a look: plan() looks at each for every light with shadow.
-    /// Errors: InvalidArgument where a corner is not finite.
+    /// Errors: InvalidArgument where a corner is not finite, or more than half a millimetre off the plane of its
+    /// blocker's largest triangle.
     static Result<BlockerSet> fromBlockers(std::vector<Blocker> blockers);
 
     /// For a set from fromMeshes(): finds the blockers again where an instance stands elsewhere than it did, or where
@@ -60,8 +61,6 @@ public:
     std::span<const BlockerBounds> bounds() const { return bounds_; }
 
 private:
-    explicit BlockerSet(std::vector<Blocker> blockers);
-
     std::vector<Blocker> blockers_;
     std::vector<BlockerBounds> bounds_;
     std::vector<MeshInstance> instances_;  ///< as they stood when the blockers were found

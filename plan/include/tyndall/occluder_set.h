@@ -50,8 +50,8 @@ public:
 
     /// Boxes of the caller's own. Each is one instance: box i moves by move(i, worldFromBox).
     ///
-    /// Errors: InvalidArgument where a worldFromBox is not affine, a corner is not finite, or a minimum is over its
-    /// maximum.
+    /// Errors: InvalidArgument where a worldFromBox is not affine, a corner is not finite, a minimum is over its
+    /// maximum, or a triangle lies outside of its box.
     static Result<OccluderSet> fromBoxes(std::span<const OccluderBox> boxes);
 
     /// Brings an instance to another place and bounds its boxes again; the others are left alone. False where it stands

@@ -1,6 +1,7 @@
 #include <tyndall/blocker_set.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "check/plan_check.h"
@@ -12,18 +13,15 @@ namespace {
 
 const std::string place = "blocker set";
 
-Result<void> checkBlocker(const Blocker& blocker, std::size_t index) {
+/// Metres, as Blocker says.
+constexpr double maxOffPlane = 5e-4;
+
+Result<void> checkFinite(const Blocker& blocker, std::size_t index) {
     for (const std::array<glm::dvec3, 3>& triangle : blocker.triangles)
         for (const glm::dvec3& corner : triangle)
             if (!isFinite(corner))
                 return broken(place + ": blocker " + std::to_string(index) + " has a corner at " + text(corner) +
                               ": it must be finite; check what it was computed from");
-    return {};
-}
-
-Result<void> checkBlockers(std::span<const Blocker> blockers) {
-    for (std::size_t i = 0; i < blockers.size(); ++i)
-        if (const Result<void> checked = checkBlocker(blockers[i], i); !checked) return checked;
     return {};
 }
 
@@ -53,15 +51,32 @@ BlockerBounds boundsOf(const Blocker& blocker) {
     return bounds;
 }
 
-}  // namespace
-
-BlockerSet::BlockerSet(std::vector<Blocker> blockers) : blockers_(std::move(blockers)) {
-    for (const Blocker& blocker : blockers_) bounds_.push_back(boundsOf(blocker));
+Result<void> checkFlat(const Blocker& blocker, const BlockerBounds& bounds, std::size_t index) {
+    for (const std::array<glm::dvec3, 3>& triangle : blocker.triangles)
+        for (const glm::dvec3& corner : triangle) {
+            // Relative to a point of the plane: far from the origin, its offset has lost its digits.
+            const double off = std::fabs(glm::dot(glm::dvec3(bounds.plane), corner - bounds.centre));
+            if (off > maxOffPlane)
+                return broken(place + ": blocker " + std::to_string(index) + " has a corner at " + text(corner) + ", " +
+                              text(off) +
+                              " m off the plane of its largest triangle: it must lie within 0.0005 m; divide the "
+                              "blocker, one for each plane");
+        }
+    return {};
 }
 
+}  // namespace
+
 Result<BlockerSet> BlockerSet::fromBlockers(std::vector<Blocker> blockers) {
-    if (const Result<void> checked = checkBlockers(blockers); !checked) return tl::unexpected(checked.error());
-    return BlockerSet(std::move(blockers));
+    BlockerSet set;
+    for (std::size_t i = 0; i < blockers.size(); ++i) {
+        if (const Result<void> checked = checkFinite(blockers[i], i); !checked) return tl::unexpected(checked.error());
+        set.bounds_.push_back(boundsOf(blockers[i]));
+        if (const Result<void> checked = checkFlat(blockers[i], set.bounds_[i], i); !checked)
+            return tl::unexpected(checked.error());
+    }
+    set.blockers_ = std::move(blockers);
+    return set;
 }
 
 Result<BlockerSet> BlockerSet::fromMeshes(std::span<const MeshTriangles> meshes,

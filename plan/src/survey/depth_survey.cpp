@@ -13,8 +13,14 @@ const std::string place = "depth survey";
 
 constexpr std::uint32_t maxColumns = 16, maxRows = 9;
 
-/// Depth is stored in 32 bits; the farthest surface must not lose its last slice to rounding.
+/// The farthest surface must not lose its last slice to rounding.
 constexpr double depthMargin = 1.0 + 1e-5;
+
+/// A stored depth farther by what storing and interpolating may have rounded: floats are 2^-24 of their size apart and
+/// more, and the same next to 1, where forward depths are crowded.
+double farther(float depth, bool reversed) {
+    return reversed ? depth * (1.0 - 0x1p-23) : depth + 0x1p-23;
+}
 
 /// Whether stored depth falls with distance. It is (a z + b) / (c z + d) for z of view space, which falls with
 /// distance: the sign of its derivative by z is that of a d - b c.
@@ -23,10 +29,18 @@ bool isReversed(const View& view) {
     return rows[2].z * rows[3].w - rows[2].w * rows[3].z > 0.0;
 }
 
-/// Metres of a stored depth other than that of no surface.
-double metres(float depth, const glm::dmat4& viewFromClip, const View& view) {
+/// Metres of a stored depth that is not beyond the far end of the range.
+double metres(double depth, const glm::dmat4& viewFromClip) {
     const glm::dvec4 point = viewFromClip * glm::dvec4(0.0, 0.0, depth, 1.0);
-    return std::max(-point.z / point.w * depthMargin, view.nearPlane * depthMargin);
+    return -point.z / point.w;
+}
+
+/// Metres of the farthest surface in a tile whose deepest pixel stores `depth`.
+double maxDepthOf(float depth, bool reversed, const glm::dmat4& viewFromClip, const View& view) {
+    const double stored = farther(depth, reversed);
+    if (reversed ? !(depth > 0.0f) : !(stored < 1.0)) return std::numeric_limits<double>::infinity();
+    return std::max(
+        {metres(depth, viewFromClip) * depthMargin, metres(stored, viewFromClip), view.nearPlane * depthMargin});
 }
 
 /// Every pixel that a tile overlaps: from the one in which its first edge lies to the one of its last edge.
@@ -74,8 +88,7 @@ Result<void> surveyDepth(std::span<const float> depths, std::uint32_t width, std
                     const float known = reversed ? (depth > 0.0f ? depth : 0.0f) : (depth < 1.0f ? depth : 1.0f);
                     deepest = reversed ? std::min(deepest, known) : std::max(deepest, known);
                 }
-            const double depth =
-                deepest == noSurface ? std::numeric_limits<double>::infinity() : metres(deepest, viewFromClip, view);
+            const double depth = maxDepthOf(deepest, reversed, viewFromClip, view);
             survey.tiles.push_back(static_cast<float>(depth));
             survey.farthest = std::max(survey.farthest, depth);
         }

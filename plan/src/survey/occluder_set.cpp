@@ -19,11 +19,14 @@ Result<void> checkBox(const OccluderBox& box, std::size_t index) {
     if (!isFinite(box.minimum) || !isFinite(box.maximum) || glm::any(glm::greaterThan(box.minimum, box.maximum)))
         return broken(name() + " has the corners " + text(box.minimum) + " and " + text(box.maximum) +
                       ": they must be finite, and minimum nowhere over maximum; leave out what has no surface");
+    const glm::dvec3 margin = glm::dvec3(boxShare) * (box.maximum - box.minimum);
     for (const std::array<glm::vec3, 3>& triangle : box.triangles)
-        for (const glm::vec3& corner : triangle)
-            if (!isFinite(glm::dvec3(corner)))
-                return broken(name() + " has a triangle with a corner at " + text(glm::dvec3(corner)) +
-                              ": it must be finite; check what it was computed from");
+        for (const glm::dvec3 corner : {glm::dvec3(triangle[0]), glm::dvec3(triangle[1]), glm::dvec3(triangle[2])})
+            if (!glm::all(glm::greaterThanEqual(corner, box.minimum - margin)) ||
+                !glm::all(glm::lessThanEqual(corner, box.maximum + margin)))  // NaN is in no box
+                return broken(name() + " has a triangle with a corner at " + text(corner) + ": it must lie between " +
+                              text(box.minimum) + " and " + text(box.maximum) +
+                              "; make the box as large as its triangles");
     return {};
 }
 
