@@ -1,7 +1,7 @@
 // Adds a group's accumulated shafts to the picture. One triangle covers the target; the blend states
-// add, so whatever the scene drew stays.
+// add, so the scene's picture stays.
 
-float4 gTint;   // rgb: the group's tint, divided by what a radiance of 1 reads in the accumulation target
+float4 gTint;   // rgb: the group's tint, divided by the accumulation target's value for a radiance of 1
 float4 gTexel;  // xy: one texel of the targets in texture coordinates
 float4 gDepth;  // reversed depth = x + y * stored depth
 
@@ -46,11 +46,11 @@ float reversed_depth(float2 uv)
 // One weighted texel: rgb times weight, weight.
 //
 // Reversed depth with the far plane at infinity is near / d, so |a - b| / max(a, b) is |da - db| / max(da, db):
-// the distance between two surfaces relative to how far away they are, and no linearization is needed.
-// A finite far plane subtracts a constant from both, which only makes the measure larger: less blur, never
-// a halo. The background, 0, is a whole away from every surface and equal to itself.
+// the distance between two surfaces relative to their depth, without linearization. A finite far plane
+// subtracts a constant from both, which only makes the measure larger: less blur, but no halo. The
+// background, 0, differs by 1 from every surface and by 0 from itself.
 //
-// What crosses an edge below the tolerance is bounded: two rays whose depths differ by a tenth share nine
+// Blur across an edge below the tolerance is bounded: two rays whose depths differ by a tenth share nine
 // tenths of their air.
 float4 tap(float2 uv, float depth, float weight, bool routed)
 {

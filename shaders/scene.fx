@@ -1,6 +1,6 @@
-// Lit surfaces: what stands in the dusty air that slices.fx fills with light. A base pass lays down depth,
-// a little ambient light and emission; one more pass for each projector adds its light, with the same
-// cookie, the same shadow map and the same I / d^2, so that a shaft and the pool at its end agree:
+// Lit surfaces in the dusty air that slices.fx fills with light. A base pass lays down depth, a little
+// ambient light and emission; one more pass for each projector adds its light, with the same cookie, the same
+// shadow map and the same I / d^2, so that a shaft and the pool at its end agree:
 //
 //   L = albedo / pi * cookie * shadow * (I / d^2 + ambient) * max(cos, 0)
 //
@@ -11,7 +11,7 @@
 
 float4x4 gClipFromMesh;
 float4x4 gViewFromMesh;
-float4x4 gViewFromNormal;  // the cofactors of gViewFromMesh's upper 3x3: right for a mesh scaled flat, too
+float4x4 gViewFromNormal;  // the cofactors of gViewFromMesh's upper 3x3: right for a flattened mesh, too
 float4x4 gLightFromView;   // rigid
 float4   gEye;             // direction to the eye is xyz - w * position: (0, 0, 0, 1), or (0, 0, 1, 0) for parallel rays
 float4   gAlbedo;          // rgb: base colour
@@ -23,7 +23,8 @@ float4   gRange;           // x: near, y: far, metres along the light's axis
 float4   gCookieScale;     // xy: 0.5 / tan(fov / 2), horizontal and vertical
 float4   gShadow;          // stored depth = x + y / axis; z: map size in texels
 float4   gTexel;           // xy: a shadow map texel at one metre of axis, in metres
-float4   gWalls[4];        // view space, keeps dot(n, p) + d >= 0: behind these nothing is lit; unused ones are (0, 0, 0, 1)
+float4   gWalls[4];        // view space, keeps dot(n, p) + d >= 0: the light ends at these; unused ones are
+                           // (0, 0, 0, 1)
 
 sampler2D BaseColourSampler = sampler_state
 {
@@ -67,13 +68,13 @@ SurfacePoint vs_surface(MeshVertex v)
     return o;
 }
 
-// A vector of no length stays one, where normalize() would make it NaN.
+// Keeps a zero vector; normalize() would make it NaN.
 float3 unit(float3 v)
 {
     return v * rsqrt(max(dot(v, v), 1.0e-30));
 }
 
-// The side of the triangle that the eye sees, whichever way it was wound.
+// The normal of the triangle's side that the eye sees, for either winding.
 float3 facing_normal(float3 viewPos)
 {
     float3 face = unit(cross(ddx(viewPos), ddy(viewPos)));
@@ -124,8 +125,8 @@ float4 ps_light(float4 viewPos : TEXCOORD0,
 
     if (bShadowMapping)
     {
-        // The four texels read lie up to one texel to each side, where this very plane's depth differs by
-        // its slope. Moving the point off its surface by that much keeps the surface from shading itself.
+        // The four texels that are read lie up to one texel to each side, where this plane's depth differs by
+        // its slope. Lifting the point off its surface by that much keeps the surface from shading itself.
         float lift = axis * (1.1 * dot(abs(face.xy), gTexel.xy) + 1.0e-4);
         float3 lifted = lsPos + face * lift;
         float liftedAxis = -lifted.z;
@@ -151,7 +152,7 @@ float4 ps_light(float4 viewPos : TEXCOORD0,
         PixelShader = compile ps_3_0 ps_base(textured); \
         AlphaBlendEnable = FALSE; ZEnable = TRUE; ZWriteEnable = TRUE; ZFunc = GREATEREQUAL; } }
 
-// Adds to what the base pass drew, where its depth still stands.
+// Adds to the base pass, at its depth.
 #define LIGHT_TECHNIQUE(name, shadow, cookie, textured) \
     technique name { pass p0 { \
         VertexShader = compile vs_3_0 vs_surface(); \

@@ -1,8 +1,7 @@
-// Looking a shadow map up, for whatever is lit: air and surfaces alike.
+// The shadow map lookup, for air and surfaces.
 
-// The share of the four nearest texels that let the light through, weighted bilinearly: compare first, filter
-// after. `size` is the map's, in texels a side. `depth` and the map are reversed, so nearer to the light is
-// greater.
+// The share of the four nearest texels that let the light through: compared first, then filtered bilinearly.
+// `size` is the map's, in texels a side. `depth` and the map are reversed, so nearer to the light is greater.
 float light_through(sampler2D map, float size, float2 uv, float depth)
 {
     float2 texel = uv * size - 0.5;

@@ -1,4 +1,4 @@
-// The light's view of what stands in its cone: depth only, reversed (1 at the near plane, 0 at the far
+// The light's view of the occluders in its cone: depth only, reversed (1 at the near plane, 0 at the far
 // plane), cleared to 0.
 
 float4x4 gClipFromMesh;

@@ -27,8 +27,8 @@ float4   gColour;          // rgb: light colour * density / (4 pi) * target scal
 float4   gWeight;          // x: factor, y: exponent of the slab's thickness, z: of the ray's slant (1 or 0 each)
 float4   gShadow;          // stored depth = x + y / w; z: map size in texels, w: bias in metres
 float4   gScattering;      // x: anisotropy g, y: extinction in 1/m, z: 1 - |g|, w: 1 = view rays are parallel
-float4   gEye;             // light space; xyz: the eye, or of parallel rays the unit direction to it and in w the
-                           // lamp's view depth in metres
+float4   gEye;             // light space; xyz: the eye; for parallel rays the unit direction to it, and w is
+                           // the lamp's view depth in metres
 
 sampler2D CookieSampler = sampler_state
 {
@@ -94,29 +94,29 @@ SlicePoint vs_main(SliceVertex v)
     return o;
 }
 
-// Projective look-up at an explicit level: derivatives mean nothing where a slice ends or w changes sign.
+// Projective lookup at an explicit level: derivatives are invalid at a slice's edge and where w changes sign.
 float4 project(sampler2D map, float4 tc)
 {
     return tex2Dlod(map, float4(tc.xy / tc.w, 0.0, 0.0));
 }
 
-// Of unit length; 0 for a vector too short to have a direction.
+// The unit vector; 0 for a vector too short to have a direction.
 float3 unit(float3 v)
 {
     return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
-// What a particle at `position` (light space) sends to the eye, as a share of what a particle sends that scatters
-// evenly in clear air: phase * transmittance. It holds for `ambient` as well, which is light of the lamp.
+// Light that a particle at `position` (light space) sends to the eye, relative to one that scatters evenly in
+// clear air: phase * transmittance. Applies to `ambient` as well, which is light of the lamp.
 //
-// The phase function is that of Henyey and Greenstein (Astrophysical Journal 93, 1941) times 4 pi: 1 for g = 0. With
-// g > 0 air is brightest where one looks towards the lamp.
+// The phase function is that of Henyey and Greenstein (Astrophysical Journal 93, 1941) times 4 pi: 1 for g =
+// 0. With g > 0 air is brightest in the direction of the lamp.
 //
 //   phase = (1 - g^2) / (1 + g^2 - 2 g cos)^(3/2),  cos = dot(lamp to particle, particle to eye)
 //   transmittance = exp(-extinction * (distance lamp to particle + distance particle to eye))
 //
-// Extinction is that of evenly filled air: noise does not change it, or each slice would need an integral of its own
-// along both ways.
+// Extinction is that of evenly filled air: noise does not change it. Otherwise each slice would need its own
+// integral along both paths.
 float scattering(float3 position)
 {
     bool parallel = gScattering.w > 0.0;
@@ -134,7 +134,7 @@ float scattering(float3 position)
     return phase * exp(-gScattering.y * (length(position) + eyeDistance));
 }
 
-// The slice shader: what one slab of air, seen at one pixel, adds to the picture.
+// The slice shader: the light that one slab of air adds to one pixel.
 float4 ps_main(float4 tcProj        : TEXCOORD0,
                float4 tcProjScroll1 : TEXCOORD1,
                float4 tcProjScroll2 : TEXCOORD2,
@@ -162,13 +162,13 @@ float4 ps_main(float4 tcProj        : TEXCOORD0,
     float shadow = 1.0;
     if (bShadowMapping)
     {
-        // Kept just under 1, so that a map filled with 1 blocks everything, and not under 0, so that an
-        // empty map (all 0) blocks nothing.
+        // Clamped just under 1: a map filled with 1 blocks everything. Clamped to 0: an empty map (all 0)
+        // blocks nothing.
         float depth = clamp(gShadow.x + gShadow.y / (lsPos_depth.w - gShadow.w), 0.0, 0.99999994);
         shadow = light_through(ShadowMapSampler, gShadow.z, tcProj.xy / tcProj.w, depth);
     }
 
-    // Nothing behind the lamp: the projection would repeat the beam there, upside down.
+    // No light behind the lamp: the projection would repeat the beam there, upside down.
     float mask = lsPos_depth.w > 0.0 ? shadow * compositeNoise : 0.0;
 
     // Inverse square law, per pixel: interpolated from vertices it would be wrong everywhere between them.
@@ -179,7 +179,7 @@ float4 ps_main(float4 tcProj        : TEXCOORD0,
     if (bScattering)
         scattered = scattering(lsPos_depth.xyz);
 
-    // A slice stands for its slab: as long as this pixel's ray stays in it.
+    // A slice represents its slab: the length of this pixel's ray within it.
     float thickness = gWeight.y > 0.0 ? slab.w : 1.0;
     float slant = gWeight.z > 0.0 ? length(slab.xyz) : 1.0;
     float intensity = mask * atten * scattered * (gWeight.x * thickness * slant);
@@ -189,7 +189,7 @@ float4 ps_main(float4 tcProj        : TEXCOORD0,
     return ChannelMask * float4(gColour.w > 0.0 ? float3(grey, grey, grey) : colour, grey);
 }
 
-// Adds to whatever is in the target, behind nothing that the scene drew.
+// Adds to the target, before the scene's surfaces.
 #define ADD_SLICES \
     AlphaBlendEnable = TRUE; SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
     ZEnable = TRUE; ZWriteEnable = FALSE; CullMode = NONE;

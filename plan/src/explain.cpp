@@ -41,7 +41,7 @@ std::string drawnReason(const PlannedLight& light) {
     return "The view calls for " + listed(wanted) + ", and not for " + listed(spared) + ".";
 }
 
-// Of a triangle in the square from -1 to 1.
+// The area of a triangle's part in the square from -1 to 1.
 double triangleAreaWithin(const std::array<glm::dvec2, 3>& corners, std::span<const glm::dvec4> sides) {
     SlicePolygon polygon;
     for (const glm::dvec2& corner : corners) polygon.corners[polygon.count++] = corner;
@@ -80,7 +80,7 @@ std::string reason(const PlannedLight& light, const View& view) {
         case Verdict::BesideView:
             return "Not drawn: its volume misses the view's frustum sideways.";
         case Verdict::BehindWalls:
-            return "Not drawn: what the view could show of its volume lies behind blockers that hold up all its light.";
+            return "Not drawn: the part of its volume in the view lies behind blockers that stop all its light.";
         case Verdict::BehindTiles:
             return "Not drawn: surfaces hide all of its volume.";
         case Verdict::DarkCookie:
@@ -104,20 +104,20 @@ std::vector<std::string> savings(const PlannedLight& light) {
     for (const Term term : allTerms) {
         const std::string name(nameOf(term));
         if (light.verdicts[term] == TermVerdict::Uniform)
-            sentences.push_back("No " + name + ": it is the same all over what is seen; a factor takes its place.");
+            sentences.push_back("No " + name + ": it is the same in all of the seen air; a factor replaces it.");
         if (light.verdicts[term] == TermVerdict::Invisible)
             sentences.push_back("No " + name +
-                                ": it differs by less than the display shows; its mean takes its place.");
+                                ": it differs by less than the display shows; its mean replaces it.");
         if (light.verdicts[term] == TermVerdict::Overruled)
             sentences.push_back("No " + name + ": the options leave it out.");
     }
     if (light.walls > 0)
-        sentences.push_back("Ends at " + std::string(light.walls == 1 ? "a wall" : "walls") + " that hold" +
-                            (light.walls == 1 ? "s" : "") + " up all its light.");
+        sentences.push_back("Ends at " + std::string(light.walls == 1 ? "a wall" : "walls") + " that stop" +
+                            (light.walls == 1 ? "s" : "") + " all its light.");
     const double whole = light.volumeFar - light.volumeNear;
     const double seen = light.seenFar - light.seenNear;
     if (seen > 0.0 && seen < 0.9 * whole)
-        sentences.push_back("Of its " + metres(whole) + " along the axis, " + metres(seen) + " are seen, from " +
+        sentences.push_back("Seen: " + metres(seen) + " of its " + metres(whole) + " along the axis, from " +
                             metres(light.seenNear) + " to " + metres(light.seenFar) + ".");
     if (light.divided)
         sentences.push_back("Shadow looked up only where occluders can throw one, the first of them " +
@@ -128,7 +128,7 @@ std::vector<std::string> savings(const PlannedLight& light) {
 double expectedFragments(const Plan& plan, const PlannedPart& part, const View& view, std::uint32_t width,
                          std::uint32_t height) {
     const SliceConstants& constants = plan.constants[part.constants];
-    const glm::dvec3 least(constants.boundsMin), extent = glm::dvec3(constants.boundsMax) - least;
+    const glm::dvec3 origin(constants.boundsMin), extent = glm::dvec3(constants.boundsMax) - origin;
     const glm::dvec4 pictureSides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
     double covered = 0.0;
     for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3) {
@@ -136,7 +136,7 @@ double expectedFragments(const Plan& plan, const PlannedPart& part, const View& 
         std::array<glm::dvec2, 3> corners;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const glm::dvec3 position(plan.vertices[plan.indices[i + k]].position);
-            const glm::dvec4 clip = view.clipFromView * glm::dvec4(least + extent * position, 1.0);
+            const glm::dvec4 clip = view.clipFromView * glm::dvec4(origin + extent * position, 1.0);
             corners[k] = glm::dvec2(clip) / clip.w;
         }
         covered += triangleAreaWithin(corners, pictureSides);

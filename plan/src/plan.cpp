@@ -11,7 +11,7 @@ namespace tyndall {
 namespace {
 
 // 2^24 slices of at most 28 corners keep every vertex's number within 32 bits; they would fill 9 GB.
-constexpr std::size_t mostSlices = std::size_t{1} << 24;
+constexpr std::size_t maxSlices = std::size_t{1} << 24;
 
 void clear(Plan& plan) {
     plan.vertices.clear();
@@ -26,9 +26,9 @@ void clear(Plan& plan) {
 Result<void> checkSlices(std::span<const Candidate> candidates) {
     std::size_t slices = 0;
     for (const Candidate& candidate : candidates) slices += static_cast<std::size_t>(candidate.slabs.count);
-    if (slices <= mostSlices) return {};
+    if (slices <= maxSlices) return {};
     return broken("plan options: " + std::to_string(candidates.size()) + " lights are to be drawn with " +
-                  std::to_string(slices) + " slices: they must come to at most " + std::to_string(mostSlices) +
+                  std::to_string(slices) + " slices: they must come to at most " + std::to_string(maxSlices) +
                   " together; lower slices, or leave out lights");
 }
 

@@ -10,17 +10,17 @@
 namespace tyndall {
 namespace {
 
-// Why a light adds nothing wherever it stands.
-Verdict darkness(const Light& light, Look look) {
+// Why a light adds nothing in any view, or Drawn.
+Verdict strengthVerdict(const Light& light, Look look) {
     if (light.colour == glm::dvec3(0.0)) return Verdict::Black;
-    if (look == Look::Article) return Verdict::Drawn;  // has its own intensity, and no density
+    if (look == Look::Article) return Verdict::Drawn;  // it has its own intensity, and no density
     if (light.density == 0.0) return Verdict::NoDensity;
     if (light.intensity == 0.0 && light.ambient == 0.0) return Verdict::NoStrength;
     return Verdict::Drawn;
 }
 
-// The finest that the light may be drawn with, as an angle seen from the lamp. Of the light alone and not of the view,
-// or slabs would jump when what is seen of a cookie turns out uniform.
+// The finest feature of the light's terms, as an angle seen from the lamp. It depends on the light alone: if it
+// depended on the view, slabs would jump when the seen part of a cookie becomes uniform.
 double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions& options) {
     double detail = std::numeric_limits<double>::infinity();
     const double width = narrowness(shapeOf(light));
@@ -29,7 +29,7 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
         const double repeats = std::max({1.0, std::fabs(light.noise->scale.x), std::fabs(light.noise->scale.y)});
         detail = std::min(detail, width / repeats * (survey.noise ? survey.noise->detail : 1.0 / 64.0));
     }
-    // The phase function's peak is as wide as that.
+    // The width of the phase function's peak.
     if (light.anisotropy != 0.0) detail = std::min(detail, 1.0 - std::fabs(light.anisotropy));
     if (light.shadow) detail = std::min(detail, width / options.shadowMapSize * 4.0);
     return detail;
@@ -48,7 +48,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
               Candidate& candidate, ConsiderScratch& scratch) {
     const PlanOptions& options = context.options;
     const bool whole = options.everything;
-    planned.verdict = darkness(light, options.look);
+    planned.verdict = strengthVerdict(light, options.look);
     if (planned.verdict != Verdict::Drawn && !whole) return false;
 
     const PerTerm<TermVerdict> asked = planned.verdicts = askedTerms(light, options);
@@ -61,7 +61,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.seenFar = seen.air.axisFar;
     if (!seen.drawable(options)) return false;
 
-    NeededTerms& needed = candidate.needed = neededTerms(context, light, survey, seen, asked, scratch.shades);
+    NeededTerms& needed = candidate.needed = neededTerms(context, light, survey, seen, asked, scratch.shadows);
     planned.verdict = needed.verdict;
     planned.verdicts = needed.verdicts;
     if (planned.verdict != Verdict::Drawn) return false;

@@ -8,13 +8,13 @@
 namespace tyndall {
 namespace {
 
-// The same colour at another strength, to what an 8-bit picture could ever tell apart.
+// The same tint, to within what an 8-bit picture resolves.
 bool sameTint(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::dvec3(1e-6)));
 }
 
 std::size_t groupFor(Plan& plan, const Light& light) {
-    // A black light, which is drawn where everything is, has no tint.
+    // A black light, drawn with PlanOptions::everything, has no tint.
     const bool tinted = plan.accumulation == Accumulation::Rgba8Routed && greyOf(light) > 0.0;
     const glm::dvec3 tint = tinted ? light.colour / greyOf(light) : glm::dvec3(1.0);
     const auto group = std::find_if(plan.groups.begin(), plan.groups.end(), [&](const CompositeGroup& candidate) {

@@ -5,7 +5,7 @@
 
 namespace tyndall {
 
-/// Puts every drawn light of the plan into a group. `lights` are those that were planned.
+/// Puts every drawn light of the plan into a group. `lights`: as given to plan().
 void formGroups(Plan& plan, std::span<const Light> lights);
 
 }  // namespace tyndall

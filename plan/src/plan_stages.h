@@ -1,5 +1,5 @@
-// The stages of plan(), each a function over plain data: consider() what a light can show and needs, leave out what is
-// too faint, draw the rest. plan.cpp runs them.
+// The stages of plan(), each a function over plain data: consider() finds what a light shows and needs,
+// leaveOutTheFaint() drops what is too faint, the rest becomes geometry. plan.cpp runs them.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -16,7 +16,7 @@
 
 namespace tyndall {
 
-/// A light that its strength and its place in the picture do not rule out.
+/// A light that may be drawn: it has strength, and the picture shows its volume.
 struct Candidate {
     std::uint32_t light = 0;
     SeenLight seen;
@@ -29,22 +29,22 @@ struct Candidate {
 /// Working memory of consider().
 struct ConsiderScratch {
     WallScratch walls;
-    std::vector<OccluderShadow> shades;
+    std::vector<OccluderShadow> shadows;
 };
 
 /// Fills `planned`, and `candidate` where it returns true. False: the verdict says why the light is not drawn.
 bool consider(const PlanContext& context, const Light& light, const LightSurvey& survey, PlannedLight& planned,
               Candidate& candidate, ConsiderScratch& scratch);
 
-/// One thing that may be left out, and what that changes at most.
+/// One thing that may be left out, and the maximum change from that.
 struct Omission {
     double error;  ///< radiance
     std::uint32_t candidate;
     std::optional<Term> term;  ///< absent: the whole light
 };
 
-/// Leaves out what together stays under a quarter of a display step, the faintest first: lights become TooFaint, terms
-/// Invisible.
+/// Leaves out lights (TooFaint) and terms (Invisible), the faintest first, as long as all omissions together stay under
+/// a quarter of a display step.
 void leaveOutTheFaint(const PlanOptions& options, std::span<Candidate> candidates, std::span<PlannedLight> lights,
                       std::vector<Omission>& scratch);
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr glm::vec4 keepEverything{0.0f, 0.0f, 0.0f, 1.0f};
 
-// Phase of a scrolling texture in [0, 1), taken in double: float seconds advance in steps of 3.9 ms after
-// ten hours, and dust that jumps is seen.
+// Phase of a scrolling texture in [0, 1), taken in double: float seconds advance in steps of 3.9 ms after ten hours,
+// and the dust would visibly jump.
 float phase(double turns) {
     const auto part = static_cast<float>(turns - std::floor(turns));
     return part >= 1.0f ? 0.0f : part;  // a part of 1 - 1e-9 rounds up to a whole turn
@@ -35,8 +35,8 @@ glm::vec4 shadowConstants(const Light& light, const PlanOptions& options, double
 glm::vec4 dustConstants(const Light& light, const PlanOptions& options, TermSet terms, double factor) {
     const bool physical = options.look == Look::Physical;
     const double flat = physical ? factor : article::flatDust;
-    // A light without dust of its own, drawn with a noise technique all the same, sees a white texture in
-    // its place: with this gain it looks as it would without noise.
+    // A light without noise that is drawn with a noise technique reads a white texture: this gain makes it look as
+    // without noise.
     if (terms.contains(Term::Noise) && !light.noise) return glm::dvec4(flat, flat, 0.0, 0.0);
     const double gain = physical ? light.noise.value_or(Noise{}).gain : article::noiseGain;
     return glm::dvec4(flat, gain, 0.0, 0.0);
@@ -45,7 +45,7 @@ glm::vec4 dustConstants(const Light& light, const PlanOptions& options, TermSet 
 glm::vec4 colourConstants(const Light& light, const PlanOptions& options, const StandIns& standIns) {
     glm::dvec3 factor(1.0);
     for (const Term term : allTerms)
-        if (term != Term::Noise) factor *= standIns[term];  // gDust has the noise's
+        if (term != Term::Noise) factor *= standIns[term];  // gDust holds the noise's factor
     const double scattered = options.look == Look::Physical ? light.density / (4.0 * glm::pi<double>()) : 1.0;
     const bool routed = options.accumulation == Accumulation::Rgba8Routed;
     const glm::dvec3 colour = routed ? glm::dvec3(greyOf(light)) : light.colour;
@@ -70,8 +70,8 @@ glm::vec4 eyeConstants(const View& view, const LightPose& pose) {
     return glm::dvec4(glm::normalize(glm::dvec3(pose.lightFromView[2])), -pose.viewFromLight[3].z);
 }
 
-// Bounds that hold the volume after rounding to float: slightly too large costs nothing, the clip planes
-// cut off the rest. Depth is left alone, so that both geometries have their slices at the same depths.
+// The bounds must hold the volume after rounding to float. A small margin costs nothing, because the clip planes cut
+// off the rest. Depth gets no margin: both geometries have their slices at the same depths.
 void stretchOver(SliceConstants& constants, const LightVolume& volume, const Slabs& slabs) {
     const glm::dvec2 margin = 1e-6 * (glm::abs(volume.boundsMin) + glm::abs(volume.boundsMax)) + 1e-9;
     constants.boundsMin = glm::dvec4(volume.boundsMin - margin, -slabs.farDepth, 0.0);

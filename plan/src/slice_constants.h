@@ -9,11 +9,11 @@
 
 namespace tyndall {
 
-/// Largest component of the light's colour: what a routed target's grey value stands for, and what its
-/// group's tint is normalised by, so that the strongest channel uses the whole range of the target.
+/// Largest component of the light's colour: the unit of a routed target's grey value, and the divisor of its group's
+/// tint, so that the strongest channel uses the whole range of the target.
 double greyOf(const Light& light);
 
-/// What each term that is not drawn is replaced by: a factor, 1 for those that are drawn.
+/// The factor that replaces each term: 1 for terms that are drawn.
 struct StandIns : PerTerm<glm::dvec3> {
     StandIns() { values.fill(glm::dvec3(1.0)); }
 };

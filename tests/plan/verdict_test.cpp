@@ -131,7 +131,7 @@ TEST(Verdict, Hidden) {
     c.light.fov = {1.2, 1.2};
     c.view.clipFromView = perspectiveView(glm::dmat4(1.0), 0.3, 1.0, 0.1, 100.0).clipFromView;
     expectUndrawn(c, Verdict::BehindWalls,
-                  "Not drawn: what the view could show of its volume lies behind blockers that hold up all its light.");
+                  "Not drawn: the part of its volume in the view lies behind blockers that stop all its light.");
     c = {};
     c.depth = {1.0f};
     expectUndrawn(c, Verdict::BehindTiles, "Not drawn: surfaces hide all of its volume.");
@@ -226,7 +226,7 @@ TEST(TermVerdict, Invisible) {
     EXPECT_EQ(light.verdict, Verdict::Drawn);
     EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Invisible);
     EXPECT_EQ(savings(light), std::vector<std::string>{
-                                  "No cookie: it differs by less than the display shows; its mean takes its place."});
+                                  "No cookie: it differs by less than the display shows; its mean replaces it."});
     c.options.displayStep = 1e-9;
     EXPECT_EQ(c.planned().verdicts[Term::Cookie], TermVerdict::Drawn);
 }
@@ -256,8 +256,8 @@ TEST(Savings, TellOfWallsAndOfWhatIsSeen) {
     EXPECT_NEAR(light.seenFar, 4.0, 0.01);
     const std::vector<std::string> words = savings(light);
     ASSERT_EQ(words.size(), 3u);
-    EXPECT_EQ(words[1], "Ends at a wall that holds up all its light.");
-    EXPECT_EQ(words[2], "Of its 5.5 m along the axis, 3.5 m are seen, from 0.5 m to 4 m.");
+    EXPECT_EQ(words[1], "Ends at a wall that stops all its light.");
+    EXPECT_EQ(words[2], "Seen: 3.5 m of its 5.5 m along the axis, from 0.5 m to 4 m.");
 }
 
 // Light goes on behind a wall where no shadow is drawn, and quads cannot be cut by more planes than the shader has.

@@ -1,7 +1,7 @@
 // The large flat parts of a scene, prepared for planning: floors, walls, backdrops.
 //
-// A blocker stops all light that meets it. Where blockers together cover a light's whole volume, no light gets past
-// them: plan() ends the volume there and draws neither slices nor shadows of what lies behind.
+// A blocker stops all light that meets it. If blockers together cover a light's whole volume, all its light ends there:
+// plan() ends the volume at them and draws no slices and no shadows of the air behind.
 //
 //   auto blockers = BlockerSet::fromMeshes(meshes, instances);     // once; those that do not move are enough
 //   plan(lights, view, options, {.blockers = &*blockers});         // as often as wanted
@@ -44,20 +44,20 @@ public:
     static Result<BlockerSet> fromMeshes(std::span<const MeshTriangles> meshes,
                                          std::span<const MeshInstance> instances);
 
-    /// Blockers of the caller's own, those that are worth a look: plan() looks at each for every light with shadow.
+    /// The caller's own blockers. Give only large ones: plan() tests each for every light with shadow.
     /// Errors: InvalidArgument where a corner is not finite, or more than half a millimetre off the plane of its
     /// blocker's largest triangle.
     static Result<BlockerSet> fromBlockers(std::vector<Blocker> blockers);
 
-    /// For a set from fromMeshes(): finds the blockers again where an instance stands elsewhere than it did, or where
-    /// instances were added or taken away. All of them are found again, because one plane can hold triangles of many
-    /// instances. False where nothing had moved; that costs a comparison of matrices.
+    /// For a set from fromMeshes(): finds all blockers again if an instance has moved, or if instances were added or
+    /// removed. One plane can hold triangles of many instances, so the search cannot be limited to some. False if
+    /// nothing has moved; that costs a comparison of matrices.
     ///
     /// Errors: see fromMeshes(). The set is then unchanged.
     Result<bool> update(std::span<const MeshTriangles> meshes, std::span<const MeshInstance> instances);
 
     std::span<const Blocker> blockers() const { return blockers_; }
-    /// Of each blocker.
+    /// Bounds of each blocker.
     std::span<const BlockerBounds> bounds() const { return bounds_; }
 
 private:

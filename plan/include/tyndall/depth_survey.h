@@ -1,4 +1,4 @@
-// What a drawn depth buffer tells a plan: how far the view reaches, tile by tile.
+// What a plan learns from a drawn depth buffer: the farthest visible surface of each tile.
 #pragma once
 
 #include <tyndall/result.h>
@@ -32,9 +32,9 @@ struct DepthSurvey {
 /// Surveys `depths` as drawn with view.clipFromView: one for each of width * height pixels, rows from the top, in
 /// Vulkan's range of 0 to 1. The projection tells whether depth is reversed (1 near, 0 far) or not (0 near, 1 far).
 /// A pixel at the far end of the range, beyond it or without a number shows no surface: its tile is infinitely far.
-/// Against the rounding of 32-bit floats a surface counts as farther than stored: by 1e-5 of its distance, or by two
-/// steps of the stored number where these are more, as they are for far surfaces in a buffer that is not reversed.
-/// Keeps the memory of `survey`: nothing is allocated for the next buffer of that size.
+/// A surface counts as farther than stored, to allow for the rounding of 32-bit floats: by 1e-5 of its distance or by
+/// two steps of the stored number, whichever is more. Two steps are more for far surfaces in a buffer that is not
+/// reversed. Keeps the memory of `survey`: nothing is allocated for the next buffer of that size.
 ///
 /// Errors: InvalidArgument where the view breaks its bounds, width or height is 0, the number of depths is not
 /// width * height, or the projection's depth depends on x or y (an oblique near plane). `survey` is then unchanged.

@@ -58,7 +58,8 @@ ShadowDepth shadowDepth(const Light& light);
 /// light.fov, nearPlane and farPlane must be valid (see plan()).
 glm::dmat4 lightClipFromLight(const Light& light);
 
-/// lightClipFromLight() of points in world space: what draws a shadow map and what asks for occluders use it alike.
+/// lightClipFromLight() of points in world space: drawing a shadow map and selecting its occluders use the same
+/// projection.
 glm::dmat4 lightClipFromWorld(const Light& light);
 
 }  // namespace tyndall

@@ -4,8 +4,8 @@
 //   occluders->move(instance, worldFromMesh);                      // for each instance that moves
 //   plan(lights, view, options, {.occluders = &*occluders});       // as often as wanted
 //
-// plan() leaves the shadow term out where no occluder can stand between a lamp and the air that is seen. An occluder
-// that throws a shadow and is missing from the set is an error of the caller: its shadow may be left out.
+// plan() leaves the shadow term out where no occluder can stand between a lamp and the air that is seen. The set must
+// hold every occluder that throws a shadow: the shadow of a missing one may be left out.
 #pragma once
 
 #include <tyndall/meshes.h>
@@ -54,8 +54,8 @@ public:
     /// maximum, or a triangle lies outside of its box.
     static Result<OccluderSet> fromBoxes(std::span<const OccluderBox> boxes);
 
-    /// Brings an instance to another place and bounds its boxes again; the others are left alone. False where it stands
-    /// there already. Does not allocate.
+    /// Moves one instance and bounds its boxes again; the others stay as they are. False if it is there already. Does
+    /// not allocate.
     ///
     /// Errors: InvalidArgument where there is no such instance or the matrix is not affine. The set is then unchanged.
     Result<bool> move(std::size_t instance, const glm::dmat4& worldFromMesh);
@@ -65,7 +65,7 @@ public:
     std::size_t size() const { return spheres_.size(); }
     /// Its triangles point into the set.
     OccluderBox box(std::size_t index) const;
-    /// Of each box. A sphere holds its box, with a margin for the rounding of positions in 32-bit floats.
+    /// One for each box. A sphere holds its box, with a margin for the rounding of positions in 32-bit floats.
     std::span<const BoundingSphere> spheres() const { return spheres_; }
 
 private:

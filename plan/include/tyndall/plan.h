@@ -42,14 +42,15 @@ enum class Look {
 /// How the slabs of a light lie.
 enum class Spacing {
     Even,      ///< as many as asked for, equally thick over the depths that the light's volume spans
-    Adaptive,  ///< as many as needed: a slab's thickness grows with its distance from the lamp, as do a cookie's
-               ///< and a shadow map's texels, down to a pixel, or less in a narrow beam. They are counted from the
-               ///< lamp's own depth, and the outermost end where the volume does: so nothing steps as eye or light
-               ///< move. Look::Article, whose constants belong to equal slabs, keeps Even
+    Adaptive,  ///< as many as needed: a slab's thickness grows with its distance from the lamp, like the texels of a
+               ///< cookie and a shadow map; the minimum is a pixel, or less in a narrow beam. Counting starts at the
+               ///< lamp's own depth, and the outermost slabs end with the volume, so nothing steps when eye or light
+               ///< move. Look::Article keeps Even: its constants belong to equal slabs
 };
 
 struct PlanOptions {
-    int slices = 100;  ///< a light, 1 to 65536; a multiple of 4 when routed. Adaptive: at most so many, or 2
+    int slices = 100;  ///< per light, 1 to 65536; a multiple of 4 when routed. Adaptive: the maximum; 2 are always
+                       ///< allowed
     Spacing spacing = Spacing::Even;
     Geometry geometry = Geometry::ExactPolygons;
     Accumulation accumulation = Accumulation::Rgba16f;
@@ -58,48 +59,48 @@ struct PlanOptions {
     double range = 1.0;                  ///< radiance that the value 1 of an 8-bit target stands for, > 0;
                                          ///< float targets hold radiance itself
     std::uint32_t shadowMapSize = 1024;  ///< texels a side, 1 to 65536, as the caller draws it
-    double shadowBias = 0.0;             ///< metres along the light's axis, 0 to 1e9; more before blockers
+    double shadowBias = 0.0;             ///< metres along the light's axis, 0 to 1e9; plan() raises it before blockers
                                          ///< that the map's texels are too coarse for; at most 0.99 of a light's
-                                         ///< nearPlane takes effect, or points would fall behind the lamp
-    std::optional<TermSet> terms;        ///< draws every light with these, whatever it calls for; a light
-                                         ///< that lacks what its technique reads sees a neutral texture there
-    std::uint32_t pictureHeight = 0;     ///< pixels; for Spacing::Adaptive. 0: as fine as the rest asks for
+                                         ///< nearPlane takes effect, so that points stay before the lamp
+    std::optional<TermSet> terms;        ///< draws every light with these terms; a light that lacks a texture of its
+                                         ///< technique gets a neutral one
+    std::uint32_t pictureHeight = 0;     ///< pixels; for Spacing::Adaptive. 0: no pixel limits the slabs
     double displayStep = 0.0;            ///< radiance of the smallest step that the display shows, 0 or more.
-                                         ///< What is too faint to be seen is left out: at each pixel all that
-                                         ///< is left out adds up to a quarter step at most. 0: nothing is
-    bool everything = false;             ///< leaves nothing out, to compare with: every light is drawn over
-                                         ///< its whole volume with every term. The slabs stay the same
+                                         ///< plan() leaves out what is too faint to be seen: all omissions together
+                                         ///< change a pixel by at most a quarter step. 0: nothing is left out
+    bool everything = false;             ///< leaves nothing out, for comparison: draws every light over its whole
+                                         ///< volume with every term. The slabs stay the same
 };
 
 /// What became of a light.
 enum class Verdict : std::uint8_t {
     Drawn,
-    Black,        ///< its colour is
+    Black,        ///< its colour is black
     NoDensity,    ///< its air scatters nothing
     NoStrength,   ///< neither intensity nor ambient
     ClipPlanes,   ///< its own clip planes leave nothing
-    BehindEye,    ///< its volume is
+    BehindEye,    ///< its volume lies behind the eye
     BeforeNear,   ///< its volume ends before the view's near plane
     BeyondFar,    ///< its volume begins beyond the view's far plane
     BehindScene,  ///< its volume begins behind View::sceneDepth
     BesideView,   ///< its volume misses the sides of the view's frustum
-    BehindWalls,  ///< what the view shows of its volume lies behind blockers that hold all its light up
+    BehindWalls,  ///< the part of its volume that the view shows lies behind blockers that stop all its light
     BehindTiles,  ///< surfaces hide its volume, by Surroundings::depth
     DarkCookie,   ///< its cookie is black wherever its volume is seen
-    NoDust,       ///< its noise is 0 everywhere, or its gain
-    Absorbed,     ///< its air absorbs all light on the way to what is seen and back to the eye
+    NoDust,       ///< its noise is 0 everywhere, or its gain is 0
+    Absorbed,     ///< its air absorbs all light between lamp and eye
     TooFaint,     ///< see PlanOptions::displayStep
 };
 
 /// Why a term is among those that a light is drawn with, or not.
 enum class TermVerdict : std::uint8_t {
-    NotAsked,    ///< the light has none
-    Drawn,       ///< called for
+    NotAsked,    ///< the light does not ask for it
+    Drawn,       ///< the light asks for it and the view needs it
     Forced,      ///< PlanOptions::terms or ::everything
     Overruled,   ///< PlanOptions::terms leave it out
     NoOccluder,  ///< shadow: nothing stands between the lamp and the air that is seen
-    Uniform,     ///< cookie, noise, scattering: the same wherever it is seen; a factor takes its place
-    Invisible,   ///< cookie, noise, scattering: differs by less than the display shows; its mean takes its place
+    Uniform,     ///< cookie, noise, scattering: the same in all of the seen air; a factor replaces it
+    Invisible,   ///< cookie, noise, scattering: differs by less than the display shows; its mean replaces it
 };
 
 /// Whether a term with this verdict is among those that the light is drawn with.
@@ -107,21 +108,21 @@ constexpr bool isDrawn(TermVerdict verdict) {
     return verdict == TermVerdict::Drawn || verdict == TermVerdict::Forced;
 }
 
-/// What becomes of one light. Where `drawn` is false it has no slices and no part, and the rest is what was known
-/// when the verdict fell.
+/// What becomes of one light. If `drawn` is false, it has no slices and no part; the other fields hold what was known
+/// when planning of it ended.
 struct PlannedLight {
     std::size_t light = 0;  ///< index into the lights that were given
     bool drawn = false;     ///< false: it adds nothing to this view
     Verdict verdict = Verdict::Drawn;
     PerTerm<TermVerdict> verdicts;  ///< why each term is in `terms`, or not
-    TermSet terms;                  ///< of its fullest part
-    double brightest = 0.0;  ///< no pixel gets more radiance from it, in its strongest channel; infinite where it
-                             ///< was not asked for
-    int slices = 0;          ///< that are drawn
+    TermSet terms;                  ///< of its part with the most terms
+    double brightest = 0.0;  ///< bound of the radiance that a pixel gets from it, in its strongest channel; infinite
+                             ///< where unknown
+    int slices = 0;          ///< number of slices that are drawn
     double nearDepth = 0.0, farDepth = 0.0;    ///< metres of view depth that the volume's slabs span, drawn or not
-    double volumeNear = 0.0, volumeFar = 0.0;  ///< metres along the light's axis: all that its planes leave
-    double seenNear = 0.0, seenFar = 0.0;      ///< of that, what the view can see
-    double firstOccluder = 0.0;                ///< with Term::Shadow: metres along the axis before which none stands
+    double volumeNear = 0.0, volumeFar = 0.0;  ///< metres along the light's axis: the volume after its clip planes
+    double seenNear = 0.0, seenFar = 0.0;      ///< the part of that range that the view can see
+    double firstOccluder = 0.0;                ///< with Term::Shadow: metres along the axis to the first occluder
     bool divided = false;                      ///< some of its slices are drawn without shadow
     std::uint32_t firstWall = 0, walls = 0;    ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
@@ -138,10 +139,10 @@ struct PlannedPart {
     int slices = 0;
 };
 
-/// Lights that are added up in one target before it is composited. One holds them all, except for the
-/// routed format, whose four channels carry one grey value: there every chromaticity has its own. The grey
-/// value is the light's strongest channel times the luminance of its cookie: a coloured cookie keeps its
-/// pattern and takes the light's colour.
+/// Lights that are added up in one target before it is composited. One group holds all lights, except in the routed
+/// format: its four channels carry one grey value, so every chromaticity has its own group. The grey value is the
+/// light's strongest channel times the luminance of its cookie: a coloured cookie keeps its pattern and takes the
+/// light's colour.
 struct CompositeGroup {
     glm::vec3 tint{1.0f};                    ///< multiplies the sum; routed, its largest component is 1
     std::uint32_t firstPart = 0, parts = 0;  ///< into Plan::parts
@@ -154,25 +155,24 @@ struct Plan {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;     ///< triangle list into `vertices`
     std::vector<SliceConstants> constants;  ///< the uniform blocks, which parts of a light may share
-    std::vector<glm::dvec4> walls;     ///< view space, keep dot(n, p) + d >= 0: behind one, no light of that lamp comes
+    std::vector<glm::dvec4> walls;     ///< view space, keep dot(n, p) + d >= 0: the lamp's light ends there
     std::vector<PlannedLight> lights;  ///< one for each light given, in their order
-    std::vector<PlannedPart> parts;    ///< by group, and within it by technique, so that pipelines change least
-    std::vector<CompositeGroup> groups;  ///< none where no light is drawn
+    std::vector<PlannedPart> parts;    ///< by group, and within it by technique, which minimizes pipeline changes
+    std::vector<CompositeGroup> groups;  ///< empty if no light is drawn
 };
 
 /// Plans the shafts of `lights` as `view` sees them.
 ///
 /// Slices are perpendicular to the view direction, at the midpoints of slabs that span the light's volume clamped
-/// to the view's near plane, far plane and (Spacing::Even) scene depth. They come farthest first within a part, are
-/// convex and counter-clockwise as the eye sees them. A slice without area has no triangles. Far outside
-/// the picture, at eight times its half width, slices are cut off; slices that lie beside the picture, or hidden
-/// behind Surroundings::depth, are left out.
+/// to the view's near plane, far plane and (Spacing::Even) scene depth. Within a part the farthest comes first. Slices
+/// are convex, and counter-clockwise as the eye sees them. A slice without area has no triangles. Slices are cut off at
+/// eight times the picture's half width. Slices that lie beside the picture, or hidden behind Surroundings::depth, are
+/// left out.
 ///
-/// With exact polygons a light with shadow is drawn in two parts: what lies before the first occluder, or beside all
-/// that occluders can shade, without looking its shadow up, the rest with it. What lies behind blockers that cover its
-/// whole pyramid is not drawn.
+/// With exact polygons a light with shadow is drawn in two parts: one without the shadow term, for the air that no
+/// occluder can shade, and one with it. The air behind blockers that cover the light's whole pyramid is not drawn.
 ///
-/// The plan for lights and eye a thousand kilometres from the world's origin is as accurate as at it.
+/// A plan a thousand kilometres from the world's origin is as accurate as one at the origin.
 ///
 /// Errors: InvalidArgument where a value breaks the bounds stated in Light, View and PlanOptions, where
 /// any of them is not finite (View::farPlane may be infinite), where the routed format meets a number of
@@ -183,8 +183,8 @@ struct Plan {
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings = {});
 
-/// plan() for frame after frame: keeps its working memory, and the plan's, so that once both have grown nothing is
-/// allocated any more. Not thread-safe.
+/// plan() for frame after frame: reuses its working memory and the plan's, so it stops allocating once both have grown.
+/// Not thread-safe.
 class Planner {
 public:
     Planner();
@@ -192,7 +192,7 @@ public:
     Planner& operator=(Planner&&) noexcept;
     ~Planner();
 
-    /// Writes the plan into `plan`, whatever it held before. Where it answers an error, `plan` is empty.
+    /// Replaces the contents of `plan`. After an error, `plan` is empty.
     Result<void> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                       const Surroundings& surroundings, Plan& plan);
 

@@ -13,16 +13,15 @@
 
 namespace tyndall {
 
-/// Surveys of a light's textures. Null where none was made: the texture may hold any value anywhere.
+/// Surveys of a light's textures. Null without a survey: the texture may then hold any value anywhere.
 struct LightSurvey {
     const TextureSurvey* cookie = nullptr;
     const TextureSurvey* noise = nullptr;
 };
 
-/// The caller keeps alive what is pointed at while planning. plan() takes sets as they are: their factories have
-/// checked and bounded them.
+/// Everything pointed at must stay alive while plan() runs. plan() does not check the sets again: their factories did.
 struct Surroundings {
-    const OccluderSet* occluders = nullptr;  ///< all there are; null: they may be anywhere
+    const OccluderSet* occluders = nullptr;  ///< all occluders of the scene; null: they may be anywhere
     const BlockerSet* blockers = nullptr;    ///< null: no light's volume ends at a wall
     std::optional<DepthTiles> depth;         ///< absent: no surface hides anything
     std::span<const LightSurvey> surveys;    ///< one for each light, in their order; or none

@@ -42,15 +42,15 @@ public:
         return TermSet(in ? bits_ | bitOf(term) : bits_ & ~bitOf(term));
     }
     constexpr TermSet without(Term term) const { return with(term, false); }
-    /// What is in both.
+    /// The intersection.
     friend constexpr TermSet operator&(TermSet a, TermSet b) { return TermSet(unsigned{a.bits_} & b.bits_); }
-    /// What is in either.
+    /// The union.
     friend constexpr TermSet operator|(TermSet a, TermSet b) { return TermSet(unsigned{a.bits_} | b.bits_); }
     friend constexpr bool operator==(TermSet, TermSet) = default;
 
     /// How many sets there are.
     static constexpr std::size_t count = std::size_t{1} << allTerms.size();
-    /// 0 to count - 1; fromIndex() is the way back, and takes the index modulo count.
+    /// 0 to count - 1. fromIndex() is the inverse; it takes the index modulo count.
     constexpr std::size_t index() const { return bits_; }
     static constexpr TermSet fromIndex(std::size_t index) { return TermSet(index % count); }
 
@@ -75,10 +75,10 @@ struct PerTerm {
     constexpr const T& operator[](Term term) const { return values[static_cast<std::size_t>(term)]; }
 };
 
-/// What the light asks for. A view may call for less.
+/// The terms that the light asks for. A view may need fewer.
 TermSet termsOf(const Light& light);
 
-/// The light without the terms that are not among these. It gains none: what it lacks it keeps lacking.
+/// The light with only those of its terms that are in `terms`. It gains none.
 Light keepOnly(Light light, TermSet terms);
 
 /// The technique of slices.fx that has exactly these terms, by its name in the effect.

@@ -1,4 +1,4 @@
-// What plan() may know of a texture without reading it: between which values it lies, and how fine it is.
+// What plan() may know of a texture without reading it: its range of values, and how fine its detail is.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace tyndall {
 
-/// Of each channel.
+/// Bounds of each channel.
 struct TextureRange {
     glm::vec3 min{0.0f};
     glm::vec3 max{0.0f};
@@ -20,7 +20,7 @@ struct TextureSurvey {
     std::vector<TextureRange> cells;  ///< of every texel that bilinear filtering reads within the cell
     TextureRange whole;
     /// Octagon of texture coordinates outside of which a clamped lookup is black, as a cone's cookie is in its corners:
-    /// bounds of u, v, u + v and u - v. Nothing is lit where a minimum lies above its maximum.
+    /// bounds of u, v, u + v and u - v. A minimum above its maximum means that nothing is lit.
     std::array<double, 4> litMin{0.0, 0.0, 0.0, -1.0}, litMax{1.0, 1.0, 2.0, 1.0};
     double detail = 1.0;  ///< share of the texture's side over which it changes by its whole range, from the steepest
                           ///< step between neighbouring texels: a hard edge is a texel wide, a soft cone half the side
@@ -31,12 +31,11 @@ struct TextureSurvey {
 /// as noise does; otherwise its edge is clamped, as a cookie's.
 TextureSurvey surveyTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps);
 
-/// The same of what a texture of half floats, VK_FORMAT_R16G16B16A16_SFLOAT, holds once it is given `texels`: each
-/// value rounded to the nearest half float. A survey of the values before they are rounded does not bound what is
-/// drawn.
+/// The same for a texture of half floats (VK_FORMAT_R16G16B16A16_SFLOAT) that `texels` are stored in: each value is
+/// rounded to the nearest half float. A survey of the values before they are rounded does not bound what is drawn.
 TextureSurvey surveyHalfFloatTexture(int width, int height, std::span<const glm::vec4> texels, bool wraps);
 
-/// Bounds of what bilinear filtering reads of a clamped texture within a rectangle of texture coordinates.
+/// Bounds of the values that bilinear filtering reads from a clamped texture within a rectangle of texture coordinates.
 TextureRange rangeWithin(const TextureSurvey& survey, const glm::dvec2& min, const glm::dvec2& max);
 
 }  // namespace tyndall

@@ -14,8 +14,8 @@ struct View {
                                     ///< wide; shifted, rotated, reversed and infinite-depth ones are fine
     double nearPlane = 0.1;         ///< metres of depth, > 0
     double farPlane = 1000.0;       ///< metres of depth, > nearPlane; may be infinite unless orthographic
-    double sceneDepth = 1.0e300;    ///< depth of the farthest visible surface where known, > 0: no slice
-                                    ///< behind it
+    double sceneDepth = 1.0e300;    ///< depth of the farthest visible surface if known, > 0: no slice is drawn behind
+                                    ///< it
     bool orthographic = false;      ///< rays are parallel: a slab is as long as it is thick
 };
 

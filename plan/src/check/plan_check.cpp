@@ -25,15 +25,15 @@ tl::unexpected<Error> broken(const std::string& sentence) {
     return tl::unexpected<Error>(Error{ErrorCode::InvalidArgument, sentence});
 }
 
-Result<void> checkBounds(const Place& place, std::span<const Bound> bounds) {
+Result<void> checkBounds(const CheckedObject& place, std::span<const Bound> bounds) {
     for (const Bound& bound : bounds)
-        if (!(bound.value >= bound.least && bound.value <= bound.most))  // NaN is in no range
+        if (!(bound.value >= bound.min && bound.value <= bound.max))  // NaN is in no range
             return broken(place.text() + ": " + std::string(bound.field) + " is " + text(bound.value) +
                           ": it must be " + std::string(bound.rule) + "; " + std::string(bound.remedy));
     return {};
 }
 
-Result<void> checkRigid(const Place& place, std::string_view field, const glm::dmat4& pose) {
+Result<void> checkRigid(const CheckedObject& place, std::string_view field, const glm::dmat4& pose) {
     const auto name = [&] { return place.text() + ": " + std::string(field); };
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)

@@ -19,10 +19,10 @@ Result<void> checkView(const View& view);
 Result<void> checkSurroundings(const Surroundings& surroundings, std::size_t lights);
 Result<void> checkLight(const Light& light, std::size_t index, const PlanOptions& options);
 
-/// How messages name a light: its number among those given, and its name where it has one.
+/// How messages name a light: its index among those given, and its name if it has one.
 std::string placeOf(const Light& light, std::size_t index);
 
-/// Nine significant digits, as short as they allow.
+/// The shortest text with up to nine significant digits.
 std::string text(double number);
 /// As "(x, y, z)".
 std::string text(const glm::dvec3& v);
@@ -31,10 +31,9 @@ bool isFinite(const glm::dvec3& v);
 
 tl::unexpected<Error> broken(const std::string& sentence);
 
-/// Where a message says that something is wrong. Put into words only when it is: a thousand lights are checked in every
-/// frame.
-struct Place {
-    std::string_view name;         ///< of what is no light
+/// What a message is about. Its text is made only for a message: a thousand lights are checked in every frame.
+struct CheckedObject {
+    std::string_view name;         ///< of anything but a light
     const Light* light = nullptr;  ///< with its number
     std::size_t index = 0;
     std::string text() const { return light ? placeOf(*light, index) : std::string(name); }
@@ -44,21 +43,22 @@ struct Place {
 struct Bound {
     std::string_view field;
     double value;
-    double least, most;
+    double min, max;
     std::string_view rule;    ///< completes "it must be ..."
     std::string_view remedy;  ///< an imperative
 };
 
-Result<void> checkBounds(const Place& place, std::span<const Bound> bounds);
+Result<void> checkBounds(const CheckedObject& place, std::span<const Bound> bounds);
 
-/// A pose has no scale, shear or mirroring, and no translation beyond what a double resolves to a micrometre.
-Result<void> checkRigid(const Place& place, std::string_view field, const glm::dmat4& pose);
+/// A pose has no scale, shear or mirroring, and its translation stays within the range that a double resolves to a
+/// micrometre.
+Result<void> checkRigid(const CheckedObject& place, std::string_view field, const glm::dmat4& pose);
 
 /// Largest coordinate, in metres, that doubles resolve well below a micrometre.
 inline constexpr double farthest = 1e9;
 
-/// Largest entry that the columns' dot products may be off those of a rotation by. Matrices that were
-/// floats once, or quaternions in floats, are off by a few 1e-7.
+/// Maximum difference between the columns' dot products and those of a rotation. Matrices that were floats once, or
+/// quaternions in floats, are off by a few 1e-7.
 inline constexpr double rigidTolerance = 1e-6;
 
 }  // namespace tyndall

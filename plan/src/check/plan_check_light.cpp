@@ -8,13 +8,13 @@ namespace tyndall {
 namespace {
 
 // A pyramid of 179 degrees is 115 times as wide as it is long; one of a hundredth of a degree is a thread
-// of 2 mm at 10 m, as thin as the floats of the shader resolve from a few hundred metres away.
-constexpr double leastFov = 0.01 * glm::pi<double>() / 180.0;
-constexpr double mostFov = 179.0 * glm::pi<double>() / 180.0;
+// of 2 mm at 10 m, the limit of what the shader's floats resolve from a few hundred metres away.
+constexpr double minFov = 0.01 * glm::pi<double>() / 180.0;
+constexpr double maxFov = 179.0 * glm::pi<double>() / 180.0;
 constexpr std::string_view fovRule = "from 0.01 to 179 degrees (0.000174533 to 3.12413936 rad)";
 constexpr std::string_view fovRemedy = "give the full angle in radians, or split the light in two";
 
-Result<void> checkNoise(const Place& place, const Noise& noise) {
+Result<void> checkNoise(const CheckedObject& place, const Noise& noise) {
     const auto finite = [](std::string_view field, double value) {
         return Bound{field, value, -DBL_MAX, DBL_MAX, "finite", "check what it was computed from"};
     };
@@ -30,11 +30,11 @@ Result<void> checkNoise(const Place& place, const Noise& noise) {
     return checkBounds(place, bounds);
 }
 
-Result<void> checkClipPlanes(const Place& where, const Light& light, const PlanOptions& options) {
+Result<void> checkClipPlanes(const CheckedObject& where, const Light& light, const PlanOptions& options) {
     const std::size_t count = light.clipPlanes.size();
     if (count > 6)
         return broken(where.text() + ": clipPlanes has " + std::to_string(count) +
-                      " planes: it must have at most 6; leave out those that cut nothing");
+                      " planes: it must have at most 6; remove those that cut nothing");
     if (options.geometry == Geometry::StretchedQuads && count > 2)
         return broken(where.text() + ": clipPlanes has " + std::to_string(count) +
                       " planes: it must have at most 2 with stretched quads, whose eight clip distances hold the six "
@@ -65,15 +65,15 @@ std::string placeOf(const Light& light, std::size_t index) {
 }
 
 Result<void> checkLight(const Light& light, std::size_t index, const PlanOptions& options) {
-    const Place place{{}, &light, index};
+    const CheckedObject place{{}, &light, index};
     if (const Result<void> checked = checkRigid(place, "worldFromLight", light.worldFromLight); !checked)
         return checked;
     const auto strength = [](std::string_view field, double value) {
         return Bound{field, value, 0.0, DBL_MAX, "0 or more and finite", "give 0 to leave it out"};
     };
     const Bound bounds[] = {
-        {"fov.x", light.fov.x, leastFov, mostFov, fovRule, fovRemedy},
-        {"fov.y", light.fov.y, leastFov, mostFov, fovRule, fovRemedy},
+        {"fov.x", light.fov.x, minFov, maxFov, fovRule, fovRemedy},
+        {"fov.y", light.fov.y, minFov, maxFov, fovRule, fovRemedy},
         {"nearPlane", light.nearPlane, 1e-6, farthest, "from 1e-6 to 1e9 m", "0.05 is a good start"},
         {"farPlane", light.farPlane, 1e-6, farthest, "from 1e-6 to 1e9 m", "give how far the light reaches"},
         strength("colour.r", light.colour.r),

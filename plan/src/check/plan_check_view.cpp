@@ -8,9 +8,8 @@ namespace {
 
 const std::string place = "view";
 
-// 1 / tan(179 degrees / 2): beyond that a picture is stretched over a hundred times its distance, and
-// nothing in it is resolved.
-constexpr double leastScale = 0.00872686779;
+// 1 / tan(179 degrees / 2): wider pictures stretch over a hundred times their distance, and resolve nothing.
+constexpr double minScale = 0.00872686779;
 
 // The eye stands at the origin and looks along -Z: clip w is the depth (perspective) or constant.
 Result<void> checkProjection(const View& view) {
@@ -33,7 +32,7 @@ Result<void> checkProjection(const View& view) {
                       "along -Z");
     for (int axis = 0; axis < 2; ++axis) {
         const double scale = glm::length(glm::dvec2(rows[axis])) / weight;
-        if (view.orthographic ? !(scale >= 1.0 / farthest) : !(scale >= leastScale))
+        if (view.orthographic ? !(scale >= 1.0 / farthest) : !(scale >= minScale))
             return broken(place + ": clipFromView scales " + (axis == 0 ? "x" : "y") + " by " + text(scale) +
                           ": it must be " +
                           (view.orthographic ? "1e-9 or more; give half extents up to 1e9 m"

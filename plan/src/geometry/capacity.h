@@ -1,5 +1,5 @@
-// What happens where a container of fixed capacity would overflow. Every capacity here has a proof, so this is an error
-// of the library. It is never hidden: the stage throws, and Planner::plan() answers with an Error.
+// The error when a container of fixed capacity would overflow. Every capacity here has a proof, so this is a fault of
+// the library. It is never hidden: the stage throws, and Planner::plan() returns an Error.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct CapacityExceeded : std::length_error {
 /// Throws CapacityExceeded. The message names the function that adds the entry, and the capacity.
 [[noreturn]] void throwCapacityExceeded(std::size_t capacity, const std::source_location& where);
 
-/// The answer for the caller of the library.
+/// The Error that the library's caller gets.
 Error internalError(const CapacityExceeded& exceeded);
 
 }  // namespace tyndall

@@ -1,6 +1,6 @@
 // A convex solid that half spaces cut down. It tells which part of a light's volume is left and how far that part
-// extends. Every edge knows its two faces: where a plane crosses two edges of one face, a new edge joins the crossings.
-// So neither sorting nor a tolerance decides how the pieces connect.
+// extends. Every edge knows its two faces: if a plane crosses two edges of one face, a new edge joins the crossings.
+// Connecting the pieces needs no sorting and no tolerance.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ struct ConvexPolyhedron {
 /// faces it lies, for three such pairs.
 ConvexPolyhedron hexahedron(const std::array<glm::dvec3, 8>& corners);
 
-/// Keeps the part with dot(n, p) + d >= 0; the normal has unit length. Returns false, and leaves the solid as it is,
-/// where that part is at most `tolerance` metres thick. Throws CapacityExceeded where the solid already has maxFaces.
+/// Keeps the part with dot(n, p) + d >= 0; the normal has unit length. Returns false, and leaves the solid as it is, if
+/// that part is at most `tolerance` metres thick. Throws CapacityExceeded if the solid already has maxFaces.
 bool cut(ConvexPolyhedron& solid, const glm::dvec4& plane, double tolerance);
 
 }  // namespace tyndall

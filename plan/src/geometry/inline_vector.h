@@ -10,7 +10,7 @@
 
 namespace tyndall {
 
-/// Throws CapacityExceeded where it would hold more than `capacity` entries, and then stays as it is.
+/// Throws CapacityExceeded, unchanged, if it would hold more than `capacity` entries.
 template <class T, std::size_t capacity>
 class InlineVector {
 public:

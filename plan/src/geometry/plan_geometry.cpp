@@ -10,7 +10,7 @@ namespace {
 
 std::uint32_t channelMask(Accumulation accumulation, int slab) {
     if (accumulation != Accumulation::Rgba8Routed) return 0xffffffffu;
-    return 0xffu << (8 * (slab & 3));  // of negative numbers, too: they are two's complements
+    return 0xffu << (8 * (slab & 3));  // right for negative numbers, too: they are two's complements
 }
 
 // A convex polygon of the last `corners` vertices, as a fan.
@@ -35,7 +35,7 @@ struct Range {
     int first, end;
 };
 
-// The slabs whose slices lie within the depths that are seen.
+// The slabs whose slices lie within the seen depths.
 Range seenSlabs(const Slabs& slabs, const SeenAir& air, bool everything) {
     if (everything) return {0, slabs.count};
     const double margin = 1e-9 * air.farDepth;
@@ -61,7 +61,7 @@ SlicePlanes slicePlanes(const LightVolume& volume) {
 }
 
 // Planes that divide slices into the part that is lit and seen (positive) and the rest: the walls, the sides of the
-// cookie's beam, and the ends of the seen air along the axis where that spares a tenth of the volume or more.
+// cookie's beam, and the ends of the seen air along the axis if that saves a tenth of the volume or more.
 using Cuts = InlineVector<glm::dvec4, maxWalls + 8 + 2>;
 
 Cuts unseenBeyond(const Light& light, const Candidate& candidate) {
@@ -88,7 +88,7 @@ struct Partition {
     double first = 0.0, large = 0.0;  ///< metres along the light's axis
     SlopeRange shaded;                ///< between both
 
-    // A piece lies on one side of every cut, so that any point of it stands for the whole piece.
+    // A piece lies on one side of every cut, so any of its points represents the whole piece.
     bool mayBeShaded(const SlicePolygon& piece, double depth) const {
         glm::dvec2 middle(0.0);
         for (std::size_t i = 0; i < piece.count; ++i) middle += piece.corners[i];
@@ -100,9 +100,9 @@ struct Partition {
     }
 };
 
-// Before the first occluder the shadow map lets everything through; its depths are rounded by less than this share.
+// The shadow map passes all light before the first occluder; its depths are rounded by less than this share.
 constexpr double mapRounding = 1e-4;
-// A part that holds a smaller share of the light's length costs more to draw on its own than it spares.
+// A part with a smaller share of the light's length costs more to draw separately than it saves.
 constexpr double minPart = 0.05;
 
 Partition partition(const Light& light, const Candidate& candidate) {
@@ -121,7 +121,7 @@ Partition partition(const Light& light, const Candidate& candidate) {
     if (std::min(parts.large, air.axisFar) - std::max(parts.first, air.axisNear) > minLength) {
         if (parts.large < air.axisFar) parts.cuts.push_back(acrossAxis(candidate.seen.pose, parts.large, Keep::Below));
         for (int axis = 0; axis < 2; ++axis) {
-            // Slices extend beyond the air that is seen. A shadow that reaches the edge of that air goes on beyond it.
+            // Slices extend beyond the seen air. A shadow at the edge of that air is assumed to continue beyond it.
             if (parts.shaded.min[axis] <= air.slopes.min[axis]) parts.shaded.min[axis] = -HUGE_VAL;
             if (parts.shaded.max[axis] >= air.slopes.max[axis]) parts.shaded.max[axis] = HUGE_VAL;
             for (const Keep keep : {Keep::Above, Keep::Below}) {
@@ -140,8 +140,8 @@ Partition partition(const Light& light, const Candidate& candidate) {
 // Six lines divide the plane into at most 1 + 6 + 15 = 22 pieces.
 using Pieces = InlineVector<SlicePolygon, 24>;
 
-// Every cut goes through all pieces: if one piece had a corner on a side that its neighbour has whole, the rasterizer
-// would round the two sides differently.
+// Every cut goes through all pieces, so that neighbours share all corners: the rasterizer would round a divided side
+// and an undivided one differently.
 Pieces cutApart(const SlicePolygon& whole, const Partition& parts, double depth) {
     Pieces pieces;
     if (whole.count > 0) pieces.push_back(whole);
@@ -158,7 +158,7 @@ Pieces cutApart(const SlicePolygon& whole, const Partition& parts, double depth)
     return pieces;
 }
 
-// With all terms of the light, and the constants that were the last to be appended.
+// Has all terms of the light, and the constants that were appended last.
 PlannedPart partOf(const Plan& plan, const PlannedLight& light) {
     PlannedPart part;
     part.light = static_cast<std::uint32_t>(light.light);
@@ -177,8 +177,8 @@ void appendPart(Plan& plan, const PlannedLight& light, std::uint32_t firstIndex,
     if (part.indexCount > 0) plan.parts.push_back(part);
 }
 
-// The air behind a wall lies in its umbra. The bias that keeps the wall's shadow off the air before the wall would let
-// light through to the air behind it: there the bias is reversed.
+// The air behind a wall lies in its umbra. The bias keeps the wall's shadow off the air before the wall. Behind the
+// wall it would let light through, so it is reversed there.
 void appendUmbra(Plan& plan, const PlannedLight& light, const std::vector<std::uint32_t>& indices, int slices) {
     if (indices.empty()) return;
     SliceConstants constants = plan.constants.back();
@@ -192,7 +192,7 @@ void appendUmbra(Plan& plan, const PlannedLight& light, const std::vector<std::u
 }  // namespace
 
 // PlanOptions::everything divides slices in the same way and draws all pieces. So pieces that are drawn with and
-// without it have the same corners, and cover the same pixels after a rasterizer has rounded these.
+// without it have the same corners, and cover the same pixels.
 void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
                     const PlanOptions& options, std::vector<std::uint32_t>& scratch) {
     const LightVolume& volume = candidate.seen.volume;

@@ -12,13 +12,13 @@
 
 namespace tyndall {
 
-/// Appends the light's exact polygons and its one or two parts: the air before the first occluder, where that pays for
-/// a draw of its own, and the rest. `scratch` is working memory.
+/// Appends the light's exact polygons and its one or two parts: the air before the first occluder, if a separate draw
+/// for it pays, and the rest. `scratch` is working memory.
 void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
                     const PlanOptions& options, std::vector<std::uint32_t>& scratch);
 
-/// Appends one part of unit-cube quads for the light's slabs. All lights share the quads of even slabs, and differ only
-/// in their bounds: only the first light appends these.
+/// Appends one part of unit-cube quads for the light's slabs. Lights with even slabs differ only in their bounds and
+/// share one set of quads: only the first light appends it.
 void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, const PlanOptions& options);
 
 }  // namespace tyndall

@@ -20,7 +20,7 @@ void add(SlicePolygon& polygon, const glm::dvec2& corner,
 
 // Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1), 1974, for one half plane
 // dot(normal, p) + offset >= 0. A corner on the line stays and makes no crossing, so no corner is doubled.
-// Returns false, and leaves `left` alone, where all of `whole` is kept.
+// Returns false, and leaves `left` unchanged, if all of `whole` is kept.
 bool clip(const SlicePolygon& whole, const glm::dvec2& normal, double offset, SlicePolygon& left) {
     std::array<double, SlicePolygon::capacity> inside;
     bool keptWhole = true;
@@ -39,7 +39,7 @@ bool clip(const SlicePolygon& whole, const glm::dvec2& normal, double offset, Sl
     return true;
 }
 
-// Merges corners that rounding made out of one: three planes through a point cut it off twice.
+// Merges corners that rounding split: three planes through one point cut it off twice.
 void mergeCorners(SlicePolygon& polygon, double distance) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {

@@ -17,7 +17,7 @@ struct SlicePolygon {
 };
 
 /// Cuts the rectangle at view depth `depth` by half spaces of view space that keep dot(n, p) + d >= 0.
-/// Without area the answer is empty. Throws CapacityExceeded, as split() does.
+/// The result is empty if it has no area. Throws CapacityExceeded, like split().
 SlicePolygon slicePolygon(const glm::dvec2& rectangleMin, const glm::dvec2& rectangleMax,
                           std::span<const glm::dvec4> planes, double depth);
 

@@ -25,10 +25,10 @@ double thickest(const Slabs& slabs) {
 double brightestWithoutTerms(const Light& light, const SeenAir& air, const Slabs& slabs) {
     const double minAxis = std::max(air.axisNear, light.nearPlane);
     const double depth = air.farDepth - air.nearDepth;
-    // Metres of ray for a metre of depth, for the most slanted ray.
+    // Metres of ray per metre of depth, for the most slanted ray.
     const double slant = depth > 0.0 ? air.maxLength / depth : 1.0;
     const double slab = thickest(slabs) * slant;
-    // A slab that is seen in part counts whole.
+    // A partly seen slab counts as a whole one.
     const double maxLength = air.maxLength + 2.0 * slab;
     return light.density / (4.0 * glm::pi<double>()) * greyOf(light) *
            maxAttenuationAlong(light, minAxis, maxLength, slab);

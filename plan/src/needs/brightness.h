@@ -1,4 +1,4 @@
-// How bright a light can get, at most.
+// The maximum brightness of a light.
 #pragma once
 
 #include <tyndall/light.h>
@@ -8,8 +8,8 @@
 
 namespace tyndall {
 
-/// Radiance that no pixel exceeds, in the light's strongest channel, with every term's factor 1. Holds for the integral
-/// and for the sum of the slices alike, see maxAttenuationAlong().
+/// Upper bound of a pixel's radiance, in the light's strongest channel, with every term's factor 1. Holds for the
+/// integral and for the sum of the slices, see maxAttenuationAlong().
 double brightestWithoutTerms(const Light& light, const SeenAir& air, const Slabs& slabs);
 
 }  // namespace tyndall

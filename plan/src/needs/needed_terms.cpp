@@ -5,13 +5,13 @@
 namespace tyndall {
 namespace {
 
-// The factor's bounds over what is seen; 1 for a light that does not ask for the term.
+// The factor's bounds over the seen air; 1 for a light that does not ask for the term.
 FactorRange rangeOf(Term term, const Light& light, const View& view, const SeenLight& seen, const LightSurvey& survey) {
     switch (term) {
         case Term::Noise:
             return noiseRange(light, survey.noise);
         case Term::Shadow:
-            break;  // from 0 to 1 whatever it meets: nothing is gained by knowing
+            break;  // always from 0 to 1
         case Term::Cookie:
             return cookieRange(light, seen.air, survey.cookie);
         case Term::Scattering:
@@ -20,8 +20,8 @@ FactorRange rangeOf(Term term, const Light& light, const View& view, const SeenL
     return {};
 }
 
-// The verdict on a light whose term is 0 wherever it is seen.
-Verdict darknessOf(Term term) {
+// The verdict on a light whose term is 0 in all of the seen air.
+Verdict zeroTermVerdict(Term term) {
     return term == Term::Noise ? Verdict::NoDust : term == Term::Cookie ? Verdict::DarkCookie : Verdict::Absorbed;
 }
 
@@ -57,7 +57,7 @@ NeededTerms neededTerms(const PlanContext& context, const Light& light, const Li
     if (chosen && physical) {
         for (const Term term : allTerms)
             if (needed.ranges[term].largest() == 0.0) {
-                needed.verdict = darknessOf(term);
+                needed.verdict = zeroTermVerdict(term);
                 return needed;
             }
         for (const Term term : allTerms) {

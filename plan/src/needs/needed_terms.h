@@ -1,4 +1,4 @@
-// Which terms a light is drawn with, and what stands in for the others.
+// Which terms a light is drawn with, and which factors replace the others.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -12,18 +12,18 @@
 
 namespace tyndall {
 
-/// Whether a factor can take the term's place. A shadow is sharp: none can.
+/// Whether a factor can replace the term. A shadow is sharp, so no factor can.
 constexpr bool hasStandIn(Term term) {
     return term != Term::Shadow;
 }
 
 struct NeededTerms {
-    Verdict verdict = Verdict::Drawn;  ///< why the terms leave no light
+    Verdict verdict = Verdict::Drawn;  ///< why the terms leave no light, or Drawn
     PerTerm<TermVerdict> verdicts;
-    PerTerm<FactorRange> ranges;  ///< of each term's factor over what is seen
+    PerTerm<FactorRange> ranges;  ///< of each term's factor over the seen air
     StandIns standIns;
     ShadowNeed shadow;
-    bool divisible = false;  ///< into what `shadow` says may lie in shadow and the rest
+    bool divisible = false;  ///< into the air that may lie in shadow, see `shadow`, and the rest
 
     TermSet terms() const {
         TermSet drawn;
@@ -32,10 +32,10 @@ struct NeededTerms {
     }
 };
 
-/// What the light and the options ask for, whatever the view sees.
+/// What the light and the options ask for, for any view.
 PerTerm<TermVerdict> askedTerms(const Light& light, const PlanOptions& options);
 
-/// What of `asked` the view calls for. `scratch`: working memory.
+/// The terms of `asked` that the view needs. `scratch`: working memory.
 NeededTerms neededTerms(const PlanContext& context, const Light& light, const LightSurvey& survey,
                         const SeenLight& seen, const PerTerm<TermVerdict>& asked, std::vector<OccluderShadow>& scratch);
 

@@ -62,8 +62,8 @@ OccluderShadow shadowOf(const ConvexPolyhedron& solid, const LightShape& shape, 
     return shadow;
 }
 
-// The part of a triangle that lies in all half spaces. Each adds at most one corner; the rest is room for corners that
-// rounding doubles.
+// The part of a triangle that lies in all half spaces. Each adds at most one corner; the capacity is doubled for
+// corners that rounding repeats.
 constexpr std::size_t maxHalfSpaces = 6 + maxWalls;
 using Corners = InlineVector<glm::dvec3, 2 * (3 + maxHalfSpaces)>;
 
@@ -85,8 +85,8 @@ Corners clipped(const std::array<glm::dvec3, 3>& triangle, const Planes& planes)
     return polygon;
 }
 
-// Chooses `firstLarge`: the distance up to which the occluders' slopes together spare the most air. The air that is seen
-// is about as wide as its distance from the lamp.
+// Chooses `firstLarge`: the distance up to which the occluders' slopes together save the most air. The seen air is
+// about as wide as its distance from the lamp.
 ShadowNeed gather(std::span<OccluderShadow> shadows, const Light& light, const SeenAir& air) {
     ShadowNeed need{!shadows.empty(), unbounded, unbounded, {air.slopes.max, air.slopes.min}};
     if (shadows.empty()) return need;
@@ -146,7 +146,7 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         const double margin = boxMargin + boxShare * size;
         FrustumPlanes withMargin = changed(
             frustum, [&](const glm::dvec4& plane) { return plane + glm::dvec4(0.0, 0.0, 0.0, margin); });
-        // What is left must have slopes: it stays before the lamp even where the near plane is very near to the lamp.
+        // The rest must have slopes, so it must stay before the lamp, even if the near plane is very near to the lamp.
         withMargin.near.w = std::min(withMargin.near.w, -0.5 * light.nearPlane);
         InlineVector<glm::dvec4, maxHalfSpaces> planes;
         for (const glm::dvec4& plane : withMargin.all()) planes.push_back(plane);
@@ -158,7 +158,7 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         OccluderShadow shadow = shadowOf(solid, shape, margin, texels);
         if (!box.triangles.empty()) {
             // The frustum meets the box: does it meet the triangles?
-            // Positions relative to the lamp: far from the world's origin, world coordinates have lost their digits.
+            // Positions relative to the lamp: far from the world's origin, world coordinates lose precision.
             const glm::dmat4& worldFromBox = box.worldFromBox;
             const glm::dmat3 turn = lightFromWorld * glm::dmat3(worldFromBox);
             const glm::dvec3 shift = lightFromWorld * (glm::dvec3(worldFromBox[3]) - lamp);

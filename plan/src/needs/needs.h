@@ -13,8 +13,8 @@
 
 namespace tyndall {
 
-/// Which of a light's air may lie in shadow: nothing before `firstOccluder`; from there to `firstLarge` only air within
-/// the slopes; behind that all air.
+/// The air of a light that may lie in shadow: none before `firstOccluder`; from there to `firstLarge` only air within
+/// the slopes; all air behind that.
 struct ShadowNeed {
     bool needed = false;
     double firstOccluder = 0.0, firstLarge = 0.0;  ///< metres along the light's axis, at least its near plane
@@ -23,13 +23,13 @@ struct ShadowNeed {
 
 /// The air that one occluder may shade.
 struct OccluderShadow {
-    double axis;  ///< metres along the light's axis, where it begins
+    double axis;  ///< metres along the light's axis to its beginning
     SlopeRange slopes;
 };
 
-/// Whether an occluder can stand between the lamp and the air that is seen: whether its box, or its triangles where
-/// given, meet the space between both. Occluders behind a wall (planes of view space, see walls.h) do not count.
-/// `mapSize`: texels a side of the shadow map, whose filtering reads a texel farther out. `scratch`: working memory.
+/// Whether an occluder can stand between the lamp and the seen air: whether its box, or its triangles if given, meet
+/// the space between both. Occluders behind a wall (planes of view space, see walls.h) do not count. `mapSize`: texels
+/// a side of the shadow map, whose filtering reads one texel farther out. `scratch`: working memory.
 ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& air, std::span<const glm::dvec4> walls,
                       const OccluderSet& occluders, std::uint32_t mapSize, std::vector<OccluderShadow>& scratch);
 

@@ -7,8 +7,8 @@
 namespace tyndall {
 namespace {
 
-// Share of a display step that all omissions together may change a pixel by: what is rounded to the nearest step
-// changes by one at most, and mostly by none.
+// All omissions together may change a pixel by this share of a display step: after rounding, a pixel changes by one
+// step at most, and mostly by none.
 constexpr double budgetShare = 0.25;
 
 }  // namespace

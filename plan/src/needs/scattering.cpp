@@ -8,7 +8,7 @@
 namespace tyndall {
 namespace {
 
-// Henyey and Greenstein's phase function times 4 pi, of the angle by which light turns: it only falls, or only rises.
+// Henyey and Greenstein's phase function times 4 pi, of the angle by which light turns: a monotonic function.
 double phase(double g, double angle) {
     const double strength = std::abs(g), narrow = 1.0 - strength;
     const double half = std::sin(0.5 * (g < 0.0 ? glm::pi<double>() - angle : angle));
@@ -25,7 +25,7 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// Holds all directions between these. Only a cone narrower than a half space is convex.
+// Holds all directions between these. A cone is convex only if it is narrower than a half space.
 Cone coneAround(std::span<const glm::dvec3> directions) {
     constexpr double rounding = 1e-7;
     glm::dvec3 sum(0.0);
@@ -59,18 +59,18 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
         farthest = std::max(farthest, glm::length(corners[i]));
         longest = std::max(longest, glm::length(toEye[i]));
     }
-    // No way from lamp to eye is shorter than the straight one. Parallel rays end at depth 0.
-    const double shortestWay = view.orthographic ? std::max(nearest + air.nearDepth, -lamp.z)
+    // The straight line is the shortest path from lamp to eye. Parallel rays end at depth 0.
+    const double minPath = view.orthographic ? std::max(nearest + air.nearDepth, -lamp.z)
                                                  : std::max(nearest + air.nearDepth, glm::length(eye));
-    const double longestWay = farthest + (view.orthographic ? air.farDepth : longest);
+    const double maxPath = farthest + (view.orthographic ? air.farDepth : longest);
     const double extinction = light.albedo ? light.density / *light.albedo : 0.0;
 
     const Cone fromLamp = coneAround(corners), back = coneAround(toEye);
     const double between = angleBetween(fromLamp.axis, back.axis), spread = fromLamp.halfAngle + back.halfAngle;
     const double sharpest = std::max(between - spread, 0.0), widest = std::min(between + spread, glm::pi<double>());
     const auto [low, high] = std::minmax({phase(light.anisotropy, sharpest), phase(light.anisotropy, widest)});
-    return {glm::dvec3(low * std::exp(-extinction * longestWay)),
-            glm::dvec3(high * std::exp(-extinction * shortestWay))};
+    return {glm::dvec3(low * std::exp(-extinction * maxPath)),
+            glm::dvec3(high * std::exp(-extinction * minPath))};
 }
 
 double phasePeak(const Light& light) {

@@ -11,7 +11,7 @@ namespace {
 
 namespace slices = effects::slices;
 
-/// What a term is called, and its switch in ps_main.
+/// A term's name, and its switch in ps_main.
 struct TermRow {
     std::string_view name;
     bool slices::ps_main_key::*axis;

@@ -75,7 +75,7 @@ double narrowness(const Pyramid& pyramid) {
 
 Sphere boundingSphere(const Pyramid& pyramid) {
     // The sphere through all eight corners, with its centre on the axis: the centre is as far from the near corners as
-    // from the far ones. Where that centre lies beyond the far plane, the far rectangle's own circle is smaller.
+    // from the far ones. If that centre lies beyond the far plane, the far rectangle's own circle is smaller.
     const double k = 1.0 + glm::dot(pyramid.tanHalfFov, pyramid.tanHalfFov);
     const double along = std::min(0.5 * (pyramid.nearPlane + pyramid.farPlane) * k, pyramid.farPlane);
     const double out = pyramid.farPlane - along;

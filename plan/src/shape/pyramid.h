@@ -22,7 +22,7 @@ Pyramid pyramidOf(const Light& light);
 /// The slopes of all its points.
 SlopeRange slopesOf(const Pyramid& pyramid);
 
-/// Of a light-space point before the lamp.
+/// The slope of a light-space point before the lamp.
 inline glm::dvec2 slopeOf(const Pyramid&, const glm::dvec3& lightPoint) {
     return glm::dvec2(lightPoint) / axisOf(lightPoint);
 }
@@ -39,7 +39,7 @@ bool holds(const Pyramid& pyramid, const SlopeRange& slopes, const glm::dvec3& l
 /// the bound. The normal has no unit length.
 glm::dvec4 slopePlane(const Pyramid& pyramid, int component, double bound, Keep keep);
 
-/// In light space: what these slopes and distances along the axis bound. The sides have no unit normals.
+/// The light-space planes of these slopes and distances along the axis. The sides have no unit normals.
 FrustumPlanes frustumPlanes(const Pyramid& pyramid, const SlopeRange& slopes, double near, double far);
 
 /// All of the pyramid, as frustumPlanes().
@@ -66,7 +66,7 @@ struct Sphere {
     double radius = 0.0;
 };
 
-/// The smallest sphere that holds it, in light space, larger by 1e-9 of its radius against rounding.
+/// The smallest sphere that holds it, in light space, plus 1e-9 of its radius for rounding.
 Sphere boundingSphere(const Pyramid& pyramid);
 
 /// Metres along its axis of its farthest point on a light-space plane, whose positive side has the lamp; at most the

@@ -8,12 +8,12 @@
 
 namespace tyndall {
 
-/// Slopes that so many texels of a shadow map of `mapSize` texels a side cover.
+/// The slopes that `texels` texels of a shadow map of `mapSize` texels a side cover.
 glm::dvec2 texelSlopes(const LightShape& shape, std::uint32_t mapSize, double texels);
 
-/// By how much a shadow map holds a surface to be too near to the lamp, as a share of the distance along the axis.
-/// `plane`: of the surface, in light space, unit normal, the lamp on its positive side. `axis`: metres to the point
-/// where the map is read.
+/// The maximum error by which a shadow map shows a surface too near to the lamp, as a share of the distance along the
+/// axis. `plane`: of the surface, in light space, unit normal, the lamp on its positive side. `axis`: metres to the
+/// point where the map is read.
 double mapErrorShare(const LightShape& shape, const glm::dvec4& plane, std::uint32_t mapSize, double axis);
 
 }  // namespace tyndall

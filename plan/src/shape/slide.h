@@ -20,8 +20,8 @@ struct SlideRange {
 
 SlideRange slideFromSlopes(const LightShape& shape, const SlopeRange& slopes);
 
-/// Light-space half space of the points before the lamp that the slide's point uv lights with dot(direction, uv) above
-/// the bound. The normal has no unit length.
+/// Light-space half space of the points before the lamp whose slide coordinates have dot(direction, uv) above the
+/// bound. The normal has no unit length.
 glm::dvec4 slidePlane(const LightShape& shape, const glm::dvec2& direction, double bound);
 
 }  // namespace tyndall

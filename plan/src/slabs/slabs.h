@@ -9,8 +9,8 @@
 //
 // at view depth z. d(z) is the smallest distance from the lamp that the light's volume has at that depth, and a slab of
 // minThickness is too thin to be seen. The number of slabs between the lamp's depth and z, the integral of dz / h(z), is
-// asinh(growth * d(z) / minThickness) / (growth * secant * scale): a closed form with an inverse. Slabs end where this
-// is a whole number, and where the volume ends. Counting starts at the lamp's own depth, so slabs stand still in the
+// asinh(growth * d(z) / minThickness) / (growth * secant * scale): a closed form with an inverse. Slabs end at whole
+// numbers of this, and at the ends of the volume. Counting starts at the lamp's own depth, so slabs stand still in the
 // beam while the eye moves towards it. Everything here is continuous, so nothing steps.
 #pragma once
 

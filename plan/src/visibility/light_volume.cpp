@@ -10,8 +10,8 @@
 namespace tyndall {
 namespace {
 
-// A volume counts as only touching a plane where it lies beyond it by less than this share of the scene's size. Doubles
-// resolve 1e-16, and the floats of the upload 6e-8: nothing so thin can show.
+// A volume only touches a plane if it extends beyond it by less than this share of the scene's size. Doubles resolve
+// 1e-16, the uploaded floats 6e-8: so thin a part cannot show.
 constexpr double touching = 1e-12;
 
 ConvexPolyhedron solidOf(const LightShape& shape, const LightPose& pose) {
@@ -62,8 +62,8 @@ Verdict measure(LightVolume& volume, const LightShape& shape, const View& view, 
     }
     if (const Verdict hidden = cutByDepth(solid, view, tolerance); hidden != Verdict::Drawn) return hidden;
 
-    // The whole volume's depths, not those of its visible part: slices must not move when the view turns
-    // about its axis or the picture's shape changes.
+    // Depths of the whole volume, not of its visible part: slices must not move when the view turns about its axis or
+    // the picture's shape changes.
     const auto [farthest, nearest] = std::minmax_element(solid.vertices.begin(), solid.vertices.end(),
                                                          [](const auto& a, const auto& b) { return a.z < b.z; });
     volume.nearDepth = std::max(-nearest->z, view.nearPlane);
@@ -120,7 +120,7 @@ InlineVector<glm::dvec4, 4> viewSides(const View& view, double width) {
 }
 
 InlineVector<glm::dvec4, 8> beamSides(const Light& light, const LightPose& pose, const TextureSurvey& cookie) {
-    // A plane that spares less than this share of the slide's side does not pay.
+    // A plane that saves less than this share of the slide's side does not pay.
     constexpr double minSpared = 0.02;
     const LightShape shape = shapeOf(light);
     const glm::dvec2 along[] = {{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}};
@@ -141,7 +141,7 @@ LightVolume lightVolume(const Light& light, const View& view, const LightPose& p
                         std::span<const glm::dvec4> beam, ConvexPolyhedron& seen) {
     const LightShape shape = shapeOf(light);
     LightVolume volume;
-    // A plane is a row vector: what keeps p_light = M p_view keeps p_view under plane * M.
+    // A plane is a row vector: the plane for p_light = M p_view becomes plane * M for p_view.
     volume.shape = changed(planesOf(shape),
                            [&](const glm::dvec4& plane) { return unitPlane(plane * pose.lightFromView); });
     for (const glm::dvec4& plane : light.clipPlanes) volume.clipPlanes.push_back(viewPlane(plane, view.worldFromView));
@@ -149,7 +149,7 @@ LightVolume lightVolume(const Light& light, const View& view, const LightPose& p
     return volume;
 }
 
-Verdict hiddenAtAGlance(const Light& light, const View& view, const LightPose& pose,
+Verdict hiddenBySphere(const Light& light, const View& view, const LightPose& pose,
                         std::span<const glm::dvec4> sides) {
     const Sphere sphere = boundingSphere(shapeOf(light));
     const double radius = sphere.radius;

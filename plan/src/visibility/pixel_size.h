@@ -1,4 +1,4 @@
-// How large a pixel is out there.
+// The size of a pixel at a distance.
 #pragma once
 
 #include <tyndall/view.h>
@@ -8,7 +8,7 @@
 
 namespace tyndall {
 
-/// Metres that a pixel of a picture so many pixels high covers at that view depth; 0 for 0 pixels.
+/// Metres that a pixel covers at that view depth, in a picture of `pictureHeight` pixels; 0 for 0 pixels.
 inline double pixelSize(const View& view, std::uint32_t pictureHeight, double depth) {
     if (pictureHeight == 0) return 0.0;
     const glm::dmat4 rows = glm::transpose(view.clipFromView);

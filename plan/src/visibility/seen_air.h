@@ -1,4 +1,4 @@
-// What the picture shows of a light's volume.
+// The part of a light's volume that the picture shows.
 #pragma once
 
 #include <tyndall/light.h>
@@ -19,11 +19,11 @@ struct SeenAir {
     double nearDepth = 0.0, farDepth = 0.0;   ///< metres of view depth
     double axisNear = 0.0, axisFar = 0.0;     ///< metres along the light's axis
     SlopeRange slopes;                        ///< as the lamp sees it
-    double maxLength = 0.0;                   ///< metres: no view ray runs farther through it
+    double maxLength = 0.0;                   ///< metres: maximum length of a view ray in it
 };
 
-/// `seen`: the part of the volume that the view's frustum shows. A tile shows what lies before its farthest surface.
-/// Conservative: the answer holds every point that a pixel shows.
+/// `seen`: the part of the volume that the view's frustum shows. A tile shows the air before its farthest surface.
+/// Conservative: the result holds every point that a pixel shows.
 SeenAir seenAir(const ConvexPolyhedron& seen, const LightShape& shape, const View& view, const LightPose& pose,
                 const std::optional<DepthTiles>& tiles);
 

@@ -8,8 +8,8 @@
 namespace tyndall {
 namespace {
 
-// Metres that a rasterizer may move an edge of a slice, whose corners it rounds to 1/256 pixel: slices end so much
-// farther behind a wall. Otherwise a pixel whose slice lies just before the wall would lose its light.
+// Metres by which a rasterizer may move an edge of a slice, because it rounds corners to 1/256 pixel. Slices end this
+// much farther behind a wall; otherwise a pixel whose slice lies just before the wall would lose its light.
 double snapping(const View& view, const PlanOptions& options, double maxDepth) {
     constexpr double diagonal = 1.4143 / 512.0;
     return diagonal * pixelSize(view, options.pictureHeight, maxDepth);
@@ -23,10 +23,10 @@ SeenLight seenLight(const PlanContext& context, const Light& light, const LightS
     const bool whole = options.everything;
     SeenLight seen;
     seen.pose = lightPose(light.worldFromLight, view.worldFromView);
-    if (!whole) seen.verdict = hiddenAtAGlance(light, view, seen.pose, sides);
+    if (!whole) seen.verdict = hiddenBySphere(light, view, seen.pose, sides);
     if (seen.verdict != Verdict::Drawn) return seen;
 
-    // Stretched quads have no clip distance to spare for walls.
+    // Stretched quads have no clip distance left for walls.
     if (surroundings.blockers && light.shadow && asked[Term::Shadow] != TermVerdict::Overruled &&
         options.geometry == Geometry::ExactPolygons)
         seen.walls = wallsOf(light, view, seen.pose, *surroundings.blockers, options.shadowMapSize, scratch);

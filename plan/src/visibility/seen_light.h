@@ -1,4 +1,4 @@
-// What the view sees of one light's volume.
+// The part of one light's volume that the view sees.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -12,12 +12,12 @@
 namespace tyndall {
 
 struct SeenLight {
-    Verdict verdict = Verdict::Drawn;  ///< why nothing of it is seen
+    Verdict verdict = Verdict::Drawn;  ///< why nothing of it is seen, or Drawn
     LightPose pose;
     LightVolume volume;
     SeenAir air;
     InlineVector<glm::dvec4, maxWalls> walls;  ///< view space, as wallsOf() gave them
-    bool measured = false;                      ///< the volume has depths; without them nothing can be drawn of it
+    bool measured = false;                      ///< the volume has depths, which drawing needs
 
     /// Whether the light may be drawn: it is seen, or everything is drawn and it has a volume.
     bool drawable(const PlanOptions& options) const {
@@ -25,8 +25,8 @@ struct SeenLight {
     }
 };
 
-/// `asked`: which terms the light or the options ask for. Walls end the volume only where shadows are drawn, a cookie's
-/// beam bounds it only where the cookie is. `scratch`: working memory.
+/// `asked`: which terms the light or the options ask for. Walls end the volume only if shadows are drawn; a cookie's
+/// beam bounds it only if the cookie is drawn. `scratch`: working memory.
 SeenLight seenLight(const PlanContext& context, const Light& light, const LightSurvey& survey,
                     const PerTerm<TermVerdict>& asked, WallScratch& scratch);
 

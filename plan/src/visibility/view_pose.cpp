@@ -15,8 +15,8 @@ LightPose lightPose(const glm::dmat4& worldFromLight, const glm::dmat4& worldFro
     const glm::dmat3 light(worldFromLight);
     const glm::dmat3 eye(worldFromView);
     const glm::dvec3 lightFromEye(worldFromLight[3] - worldFromView[3]);
-    // Inverses, not transposes: a matrix may be off rigid by the tolerance that plan() grants, and then
-    // only the true inverse agrees with what the caller draws the scene with.
+    // Inverses, not transposes: a matrix may differ from a rigid one by plan()'s tolerance. Only the true inverse then
+    // agrees with the matrix that the caller draws the scene with.
     const glm::dmat3 eyeInverse = glm::inverse(eye);
     const glm::dmat3 lightInverse = glm::inverse(light);
     return {affine(eyeInverse * light, eyeInverse * lightFromEye),

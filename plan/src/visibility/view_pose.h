@@ -1,5 +1,5 @@
-// Poses and planes as the eye sees them. Translations are subtracted before anything is rotated: a scene
-// a thousand kilometres from the world's origin is planned as accurately as one at the origin.
+// Poses and planes as the eye sees them. Translations are subtracted before rotations are applied: this keeps plans
+// accurate a thousand kilometres from the world's origin.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -15,7 +15,7 @@ struct Candidate {
 };
 using Candidates = InlineVector<Candidate, maxWalls>;
 
-// The largest signed distance to the plane that the volume's cross-section `axis` metres along its axis has.
+// The maximum signed distance from the plane to the volume's cross-section `axis` metres along its axis.
 double maxSignedDistance(const glm::dvec4& plane, const LightShape& shape, double axis, double sign) {
     double max = -1e300;
     for (const glm::dvec3& corner : cornersAt(shape, axis))
@@ -32,8 +32,9 @@ InlineVector<glm::dvec4, 5> unitPlanesBeyondNear(const LightShape& shape) {
     return planes;
 }
 
-// The bias that keeps a wall's shadow off the air before it delays every shadow of the light by the same length. A wall
-// that needs a larger share of its distance than this is steep to the light: it is treated as an ordinary occluder.
+// A wall needs a bias that keeps its shadow off the air before it. That bias delays every shadow of the light by the
+// same length. A wall that needs more than this share of its distance is too steep: it is treated as an ordinary
+// occluder.
 constexpr double maxMapError = 1.0 / 200.0;
 
 bool steep(const glm::dvec4& plane, const LightShape& shape, std::uint32_t mapSize) {
@@ -72,7 +73,7 @@ Candidates candidatesFor(const Light& light, const LightShape& shape, const View
             }))
             continue;
         const glm::dvec3 normal(blocker.plane);
-        // Relative to a point of the blocker: far from the origin, the plane's offset has lost its digits.
+        // Relative to a point of the blocker: far from the origin, the plane's offset loses precision.
         double lampDistance = glm::dot(normal, lamp - blocker.centre);
         if (std::any_of(picture.begin(), picture.end(), [&](const glm::dvec3& corner) {
                 return !(lampDistance * glm::dot(normal, corner - blocker.centre) > 0.0);
@@ -141,7 +142,7 @@ bool subtract(const SlicePolygon& whole, std::array<glm::dvec2, 3> triangle, std
     return true;
 }
 
-// With more pieces than this, the search for the last crack costs more than drawing what lies behind.
+// With more pieces than this, the test costs more than drawing the air behind.
 constexpr std::size_t maxPieces = 256;
 // Share of the face's diameter: rounding leaves cracks of at most this width between triangles in 32-bit floats.
 constexpr double crack = 1e-6;
@@ -198,7 +199,7 @@ InlineVector<glm::dvec4, maxWalls> wallsOf(const Light& light, const View& view,
                                            const BlockerSet& blockers, std::uint32_t mapSize, WallScratch& scratch) {
     const LightShape shape = shapeOf(light);
     Candidates walls = candidatesFor(light, shape, view, blockers.bounds(), mapSize);
-    // A candidate that is not covered is no wall. Without it the faces of the others grow, so they are tested again.
+    // An uncovered candidate is not a wall. Its removal enlarges the faces of the others, so they are tested again.
     std::array<bool, maxWalls> touched{};
     for (bool changed = true; changed && !walls.empty();) {
         changed = false;
@@ -213,7 +214,7 @@ InlineVector<glm::dvec4, maxWalls> wallsOf(const Light& light, const View& view,
     }
     InlineVector<glm::dvec4, maxWalls> planes;
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        if (!touched[i]) continue;  // the others keep the light from it
+        if (!touched[i]) continue;  // the other walls stop the light before it
         const Candidate& wall = walls[i];
         const glm::dvec4 behind = wall.plane + glm::dvec4(0.0, 0.0, 0.0, wallMargin(wall.plane.w));
         planes.push_back(unitPlane(behind * pose.lightFromView));
