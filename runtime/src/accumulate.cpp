@@ -37,11 +37,11 @@ Result<void> checkPart(const Plan& plan, const PlannedPart& part, std::size_t te
     return {};
 }
 
-/// Fills impl.draws. `neutral` becomes true where a light lacks what its technique reads.
+/// Fills impl.draws. `neutral` becomes true if a light lacks a texture that its technique reads.
 Result<void> resolve(Renderer::Impl& impl, const Plan& plan, std::span<const PlannedPart> parts,
                      std::span<const LightTextures> textures, const PassTarget& target, bool& neutral) {
     impl.draws.clear();
-    TermSet terms;  // of the part before: parts come sorted by their technique
+    TermSet terms;  // of the previous part: parts are sorted by technique
     PassPipeline pipeline;
     for (const PlannedPart& part : parts) {
         if (auto checked = checkPart(plan, part, textures.size()); !checked) return checked;
@@ -70,7 +70,7 @@ Result<void> resolve(Renderer::Impl& impl, const Plan& plan, std::span<const Pla
 }
 
 void beginAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
-    // The previous group's composite may still read the image, and an earlier frame's pass write it.
+    // The previous group's composite may still read the image, and an earlier frame's pass may still write it.
     VkImageMemoryBarrier2 barrier = imageBarrier(targets.accumulation, VK_IMAGE_ASPECT_COLOR_BIT);
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
     barrier.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
@@ -100,7 +100,7 @@ void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
     recordBarrier(commands, barrier);
 }
 
-/// Errors cannot occur once the images are resolved, but for a resource that slices.fx gained.
+/// With resolved images, the only possible error is a new resource in slices.fx.
 Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const UploadedPlan& uploaded) {
     VkPipeline bound = VK_NULL_HANDLE;
     for (const Renderer::Impl::PartDraw& draw : impl.draws) {

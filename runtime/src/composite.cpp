@@ -9,7 +9,7 @@
 namespace tyndall {
 namespace {
 
-/// The blur measures in reversed depth; a caller whose nearer surfaces have the smaller depth gets it turned round.
+/// The blur uses reversed depth; this converts a depth that is not reversed.
 bool isReversed(VkCompareOp compare) {
     return compare != VK_COMPARE_OP_LESS && compare != VK_COMPARE_OP_LESS_OR_EQUAL;
 }

@@ -1,4 +1,4 @@
-// What composite.fx reads, as bytes.
+// The data that composite.fx reads, as bytes.
 #pragma once
 
 #include <array>

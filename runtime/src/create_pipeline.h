@@ -1,4 +1,4 @@
-// One VkPipeline from all that it is made of.
+// Creates one VkPipeline.
 #pragma once
 
 #include <tyndall/pass_pipelines.h>
@@ -10,9 +10,8 @@
 
 namespace tyndall {
 
-/// Of `layout`'s pass. Safe to call from several threads at once, but for a pipeline cache that is externally
-/// synchronized: it uses nothing that another call changes.
-/// Errors: as PassPipelines::get().
+/// Draws `layout`'s pass. Thread-safe, unless the pipeline cache is externally synchronized.
+/// Errors: see PassPipelines::get().
 Result<VkPipeline> createPipeline(const Gpu& gpu, const PassLayout& layout, Shaders shaders, const PassTarget& target,
                                   std::span<const VkVertexInputAttributeDescription> attributes);
 

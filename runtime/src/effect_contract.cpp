@@ -32,7 +32,7 @@ constexpr BlockMember sliceMembers[] = {
     {"gEye", offsetof(SliceConstants, eye), 16},
 };
 constexpr std::string_view sliceSamplers[] = {"CookieSampler", "ScrollingNoiseSampler", "ShadowMapSampler"};
-// All that the effect built in has: one for each set of terms.
+// All techniques of the built-in effect: one for each set of terms.
 constexpr auto sliceTechniques = [] {
     std::array<std::string_view, effects::slices::technique_count> names;
     for (std::size_t i = 0; i < names.size(); ++i) names[i] = effects::slices::effect.techniques[i].name;
@@ -70,7 +70,7 @@ constexpr EffectContract shadowMap{
     "shadow_map.fx", shadowMapMembers, sizeof(glm::mat4), {}, shadowMapTechniques, occluderElements, false};
 
 // These loops look up by value. Under -fsanitize=undefined GCC 12 does not compare an address with null in a constant
-// expression, so permgen::find_member() and find_resource() are of no use to a static_assert there.
+// expression, so a static_assert cannot use permgen::find_member() and find_resource() there.
 
 constexpr bool isPlaced(const permgen::Effect& effect, const BlockMember& expected) {
     for (const permgen::Member& member : effect.members)
@@ -78,14 +78,14 @@ constexpr bool isPlaced(const permgen::Effect& effect, const BlockMember& expect
     return false;
 }
 
-/// The first constant that does not lie where the contract says, empty where all do.
+/// The first constant whose position breaks the contract; empty if there is none.
 constexpr std::string_view misplaced(const permgen::Effect& effect, const EffectContract& contract) {
     for (const BlockMember& expected : contract.members)
         if (!isPlaced(effect, expected)) return expected.name;
     return {};
 }
 
-/// True where there is no more in the block than the contract says.
+/// Whether the block holds only the members of the contract.
 constexpr bool blockFits(const permgen::Effect& effect, const EffectContract& contract) {
     for (const permgen::Resource& resource : effect.resources)
         if (resource.name == globalsBlock)

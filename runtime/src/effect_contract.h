@@ -1,5 +1,5 @@
-// What the library's C++ takes for granted of its effects: asserted at compile time of those built in, checked
-// of those that a caller brings.
+// What the library's C++ expects of its effects: asserted at compile time for built-in ones, checked for those that a
+// caller gives.
 #pragma once
 
 #include <permgen/tables.h>
@@ -13,7 +13,7 @@
 
 namespace tyndall {
 
-/// What permgen calls the block of an effect's global variables.
+/// permgen's name for the block of an effect's global variables.
 inline constexpr std::string_view globalsBlock = "Globals";
 
 struct BlockMember {
@@ -25,8 +25,8 @@ struct EffectContract {
     std::string_view file;
     std::span<const BlockMember> members;          ///< of its only uniform block, globalsBlock
     std::size_t blockSize;                         ///< bytes
-    std::span<const std::string_view> samplers;    ///< of 2D images; it may do with fewer
-    std::span<const std::string_view> techniques;  ///< each of one pass; it may have more
+    std::span<const std::string_view> samplers;    ///< of 2D images; the effect may have fewer
+    std::span<const std::string_view> techniques;  ///< each has one pass; the effect may have more
     std::span<const VertexElement> elements;
     bool pixels;  ///< passes have pixel shaders
 };
@@ -35,7 +35,7 @@ const EffectContract& slicesContract();
 const EffectContract& compositeContract();
 const EffectContract& shadowMapContract();
 
-/// Errors: InvalidArgument naming the effect and what in it does not fit.
+/// Errors: InvalidArgument naming the effect and the part that does not fit.
 Result<void> checkEffect(const permgen::Effect& effect, const EffectContract& contract, Shaders shaders);
 
 }  // namespace tyndall

@@ -1,5 +1,5 @@
 // The runtime's own effects, compiled by permgen: `effect` of each in tyndall::effects::slices, ::composite
-// and ::shadow_map. A program that compiles slices.fx for itself names another namespace.
+// and ::shadow_map. A program that compiles slices.fx itself must use another namespace.
 #pragma once
 
 #include <composite.fx.h>

@@ -54,7 +54,7 @@ Result<FrameData::Impl::Block> createBlock(const Gpu& gpu, VkDeviceSize size) {
     return block;
 }
 
-/// Uniform buffer offsets have the strictest alignment of all that is placed here.
+/// Uniform buffer offsets have the strictest alignment of all data here.
 VkDeviceSize alignment(const Gpu& gpu) {
     return std::max<VkDeviceSize>(16, gpu.uniformAlignment);
 }

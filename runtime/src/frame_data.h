@@ -1,4 +1,4 @@
-// Where a frame's vertices, indices and constants lie: host-visible memory, handed out front to back.
+// Host-visible memory for a frame's vertices, indices and constants, allocated front to back.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct FrameRange {
     VkDeviceSize offset = 0;
 };
 
-/// What upload() left for record().
+/// The results of upload() that record() needs.
 struct UploadedPlan {
     FrameRange vertices, indices, screenTriangle;
     bool valid = false;                 ///< false: upload() has not been called, or failed
@@ -26,7 +26,7 @@ struct FrameData::Impl {
     struct Block {
         VkBuffer buffer = VK_NULL_HANDLE;
         VkDeviceMemory memory = VK_NULL_HANDLE;
-        VkDeviceSize size = 0;       ///< bytes handed out at most
+        VkDeviceSize size = 0;       ///< maximum of bytes to allocate
         VkDeviceSize allocated = 0;  ///< bytes of device memory
         std::byte* mapped = nullptr;
     };
@@ -42,13 +42,13 @@ struct FrameData::Impl {
     ~Impl();
 };
 
-/// Forgets everything and makes room for `bytes` in one block.
+/// Frees all ranges and makes room for `bytes` in one block.
 Result<void> resetFrame(FrameData::Impl& frame, VkDeviceSize bytes);
 
-/// Bytes that `size` bytes take up at most, alignment included.
+/// Maximum of bytes that `size` bytes take, including alignment.
 VkDeviceSize frameBytes(const Gpu& gpu, VkDeviceSize size);
 
-/// Copies `bytes` to where the GPU reads them; may be empty.
+/// Copies `bytes`, which may be empty, to memory that the GPU reads.
 Result<FrameRange> place(FrameData::Impl& frame, std::span<const std::byte> bytes);
 
 }  // namespace tyndall

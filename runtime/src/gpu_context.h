@@ -1,4 +1,4 @@
-// The caller's device, and what everything here asks of it.
+// The caller's device, with the properties and functions that the runtime uses.
 #pragma once
 
 #include <tyndall/renderer.h>
@@ -34,7 +34,7 @@ tl::unexpected<Error> unsupported(std::string message);
 /// "VkFormat 97" for messages: the number is the one in vulkan_core.h.
 std::string formatName(VkFormat format);
 
-/// The first memory type that `allowed` holds and that has all of `wanted`; UINT32_MAX where there is none.
+/// The first memory type in `allowed` that has all flags of `wanted`; UINT32_MAX if there is none.
 std::uint32_t memoryType(const Gpu& gpu, std::uint32_t allowed, VkMemoryPropertyFlags wanted);
 
 void setName(const Gpu& gpu, VkObjectType type, std::uint64_t handle, std::string_view name);

@@ -7,7 +7,7 @@ namespace tyndall {
 namespace {
 
 constexpr VkFormat colourFormat = VK_FORMAT_R8G8B8A8_UNORM;
-constexpr VkFormat depthFormat = VK_FORMAT_D16_UNORM;  // sampled depth of 16 bits is there on every device
+constexpr VkFormat depthFormat = VK_FORMAT_D16_UNORM;  // every device can sample it
 
 struct Shape {
     VkImageType image;

@@ -1,5 +1,5 @@
-// Textures of one texel that change nothing: for techniques that were forced on lights which lack what they
-// read, and for samplers that a specialized module declares and does not read.
+// Textures of one texel that change nothing: for lights that lack a texture of a forced technique, and for samplers
+// that a specialized module declares and does not read.
 #pragma once
 
 #include <permgen/tables.h>
@@ -28,7 +28,7 @@ struct NeutralTextures {
     std::array<NeutralTexture, 5> textures;  ///< by Neutral
 };
 
-/// The white texture of that dimension, which is not None.
+/// The white texture of that dimension, which must not be None.
 Neutral whiteTexture(permgen::ImageDimension dimension);
 
 /// The texture, made on first use (`created` then grows by one).
@@ -36,7 +36,7 @@ Result<const NeutralTexture*> neutralTexture(const Gpu& gpu, NeutralTextures& te
                                              std::uint64_t& created);
 
 /// Records the filling of every texture that was made, outside of rendering; leaves them in
-/// SHADER_READ_ONLY_OPTIMAL. Repeating it costs less than remembering which submissions really ran.
+/// SHADER_READ_ONLY_OPTIMAL. Repeating it costs less than tracking which submissions ran.
 void recordNeutralFill(VkCommandBuffer commands, const NeutralTextures& textures);
 
 void destroyNeutralTextures(const Gpu& gpu, NeutralTextures& textures);

@@ -11,7 +11,7 @@ struct PassPipelines::Impl {
     const permgen::Effect* effect = nullptr;
     PipelineStore store;
     NeutralTextures textures;
-    FrameData::Impl zeros;  ///< the uniform block that stands in for those no pass reads
+    FrameData::Impl zeros;  ///< the uniform block for those that no pass reads
     StandIns standIns;
     std::uint64_t pipelinesCreated = 0, texturesCreated = 0;
 

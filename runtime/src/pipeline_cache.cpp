@@ -1,6 +1,6 @@
-// The fields are those that A. Kapoulkine's "Robust pipeline cache serialization" (zeux.io, 2019) asks for: the
-// driver's version may change what the data mean without a change of pipelineCacheUUID, and so may the size of
-// pointers, where one driver serves 32-bit and 64-bit programs.
+// The fields are those that A. Kapoulkine's "Robust pipeline cache serialization" (zeux.io, 2019) asks for: the meaning
+// of the data may change with the driver's version, and with the size of pointers if one driver serves 32-bit and
+// 64-bit programs, while pipelineCacheUUID stays the same.
 #include <tyndall/pipeline_cache.h>
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 
 #include "gpu_context.h"
 
-// In this file alone, so that the installed library asks for no other one.
+// Only this file includes it, so the installed library does not need it.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
 namespace tyndall {
 namespace {
 
-/// As PNG's: a byte above 127 and both kinds of line end, which transfers as text would not leave alone.
+/// Like PNG's: a byte above 127 and both kinds of line end, which a transfer as text would change.
 constexpr std::array<std::uint8_t, 8> magic{0x89, 'T', 'P', 'C', '\r', '\n', 0x1a, '\n'};
 constexpr std::uint32_t sealVersion = 1;
 
@@ -47,7 +47,8 @@ Number read(std::span<const std::byte> bytes, std::size_t at) {
 XXH128_canonical_t checksum(std::span<const std::byte> sealed) {
     const std::span<const std::byte> data = sealed.subspan(pipelineCacheSeal);
     const XXH128_hash_t ofData = XXH3_128bits(data.data(), data.size());
-    // The data's hash goes behind the header and is hashed with it: one sum over both without a copy of the data.
+    // The data's hash is appended to the header and hashed with it: this gives one sum over both without copying the
+    // data.
     std::array<std::byte, checksumAt + sizeof(XXH128_canonical_t)> header;
     std::copy_n(sealed.begin(), checksumAt, header.begin());
     XXH128_canonical_t canonical;
@@ -61,7 +62,7 @@ bool hasUuid(std::span<const std::byte> bytes, std::size_t at, const VkPhysicalD
     return std::ranges::equal(bytes.subspan(at, VK_UUID_SIZE), std::as_bytes(std::span(device.pipelineCacheUUID)));
 }
 
-/// Errors where the seal is of another device, driver or kind of program.
+/// An error if another device, driver or kind of program made the seal.
 Result<void> checkMaker(std::span<const std::byte> sealed, const VkPhysicalDeviceProperties& device) {
     if (read<std::uint32_t>(sealed, vendorAt) != device.vendorID ||
         read<std::uint32_t>(sealed, deviceAt) != device.deviceID)
@@ -74,7 +75,7 @@ Result<void> checkMaker(std::span<const std::byte> sealed, const VkPhysicalDevic
     return {};
 }
 
-/// Errors where the data's own header is not Vulkan's for `device`.
+/// An error if the data's own header is not Vulkan's for `device`.
 Result<void> checkVulkanHeader(std::span<const std::byte> data, const VkPhysicalDeviceProperties& device) {
     if (data.size() < vulkanHeader)
         return invalidArgument("the pipeline cache holds " + std::to_string(data.size()) +
@@ -116,7 +117,7 @@ bool isSealedPipelineCache(std::span<const std::byte> bytes) {
 Result<std::span<const std::byte>> openPipelineCache(std::span<const std::byte> sealed,
                                                      const VkPhysicalDeviceProperties& device) {
     if (!isSealedPipelineCache(sealed)) return invalidArgument("the bytes are no pipeline cache that was sealed here");
-    // The version comes before all else: what follows means something else in another one.
+    // The version comes first: another version may define all other fields differently.
     if (sealed.size() >= versionAt + 4 && read<std::uint32_t>(sealed, versionAt) != sealVersion)
         return invalidArgument("the pipeline cache has version " +
                                std::to_string(read<std::uint32_t>(sealed, versionAt)) + " of its format, not " +

@@ -1,4 +1,4 @@
-// What a pass binds: its live resources and nothing else, unless its shaders are the shared module.
+// The resources that a pass binds: only its live ones, unless its shaders are the shared module.
 #pragma once
 
 #include <permgen/tables.h>
@@ -12,7 +12,7 @@
 
 namespace tyndall {
 
-/// More than any pass may bind; the least that maxPushDescriptors can be (Vulkan 1.3, table 52).
+/// Maximum number of resources of a pass: the required minimum of maxPushDescriptors (Vulkan 1.3, table 52).
 constexpr std::size_t maxBoundResources = 32;
 
 struct PassLayout {
@@ -23,8 +23,7 @@ struct PassLayout {
     std::vector<VkSampler> samplers;  ///< in the order of `bound`; null for a buffer
 };
 
-/// What `pass` binds: its live resources where its modules are frozen, all of the effect's where they are the
-/// shared, specialized ones.
+/// The resources that `pass` binds: its live ones with frozen modules, all of the effect with shared, specialized ones.
 std::vector<const permgen::Resource*> boundResources(const permgen::Effect& effect, const permgen::Pass& pass,
                                                      Shaders shaders);
 
@@ -36,15 +35,15 @@ void destroyLayout(const Gpu& gpu, PassLayout& layout);
 
 bool binds(const PassLayout& layout, std::string_view resource);
 
-/// What is pushed for resources that a pass binds, does not read and was not given.
+/// The descriptors for resources that a pass binds and does not read, if the caller gives none.
 struct StandIns {
-    VkDescriptorBufferInfo buffer{};      ///< as long as any such block
+    VkDescriptorBufferInfo buffer{};      ///< as long as the longest such block
     std::array<VkImageView, 5> images{};  ///< by permgen::ImageDimension
 };
 
-/// Pushes, of `buffers` and `images`, those that the layout binds. Returns how many descriptors that were.
-/// Errors: InvalidArgument naming a bound resource that has neither a buffer or image of its name nor, where
-/// the pass does not read it, one in `standIns`.
+/// Pushes those `buffers` and `images` that the layout binds. Returns the number of descriptors.
+/// Errors: InvalidArgument naming a bound resource without a buffer or image of its name, and without a stand-in;
+/// resources that the pass reads have no stand-in.
 Result<std::uint32_t> pushResources(const Gpu& gpu, VkCommandBuffer commands, const PassLayout& layout,
                                     std::span<const NamedBuffer> buffers, std::span<const NamedImage> images,
                                     const StandIns& standIns = {});

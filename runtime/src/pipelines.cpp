@@ -33,7 +33,7 @@ Result<std::vector<VkVertexInputAttributeDescription>> vertexAttributes(const Gp
     return attributes;
 }
 
-/// True where vertexAttributes() would give `attributes`.
+/// Whether vertexAttributes() would return `attributes`.
 bool madeOf(std::span<const VkVertexInputAttributeDescription> attributes, const permgen::Module& module,
             std::span<const VertexElement> elements) {
     for (std::size_t i = 0; i < attributes.size(); ++i) {
@@ -44,8 +44,8 @@ bool madeOf(std::span<const VkVertexInputAttributeDescription> attributes, const
     return true;
 }
 
-/// How messages call the pass: by its technique, and by its number where that has several. Empty where it is
-/// none of the effect's.
+/// The pass's name in messages: its technique, and its index if there are several. Empty if the effect does not have
+/// it.
 std::string passName(const permgen::Effect& effect, const permgen::Pass& pass) {
     for (const permgen::Technique& technique : effect.techniques)
         for (std::size_t i = 0; i < technique.passes.size(); ++i)
@@ -60,7 +60,7 @@ tl::unexpected<Error> within(const std::string& name, Error error) {
     return tl::unexpected(std::move(error));
 }
 
-/// All that a pipeline is made of, once what several share is there.
+/// The parts of a pipeline, including those that it shares with others.
 struct Draft {
     const PassLayout* layout = nullptr;
     Shaders shaders = Shaders::Frozen;
@@ -77,7 +77,7 @@ const PassPipeline* find(const PipelineStore& store, const PipelineRequest& requ
     return nullptr;
 }
 
-/// Makes the pass's layout where the store lacks it.
+/// Makes the pass's layout if the store lacks it.
 Result<Draft> draft(const Gpu& gpu, PipelineStore& store, const PipelineRequest& request) {
     const permgen::Pass& pass = *request.pass;
     const std::string name = passName(*request.effect, pass);
@@ -96,7 +96,7 @@ Result<Draft> draft(const Gpu& gpu, PipelineStore& store, const PipelineRequest&
     return Draft{&layout->second, request.shaders, request.target, std::move(*attributes), name};
 }
 
-/// Safe to call from several threads at once, as createPipeline().
+/// Thread-safe, like createPipeline().
 Result<VkPipeline> make(const Gpu& gpu, const Draft& draft) {
     const auto handle = createPipeline(gpu, *draft.layout, draft.shaders, draft.target, draft.attributes);
     if (!handle) return within(draft.name, handle.error());
@@ -109,11 +109,11 @@ PassPipeline keep(PipelineStore& store, Draft&& draft, VkPipeline handle) {
     return entries.emplace_back(PipelineStore::Entry{std::move(draft.attributes), {handle, draft.layout}}).pipeline;
 }
 
-/// What several threads make, each into a slot of its own; destroys what nobody has taken when an exception comes
-/// in between.
+/// The pipelines that several threads make, each in its own slot. Destroys those that were not taken, for instance
+/// after an exception.
 struct Made {
     struct Slot {
-        std::atomic_flag claimed;  ///< by the one call that makes it, should the loop make two
+        std::atomic_flag claimed;  ///< by the first call of the job; the loop may wrongly make two
         std::optional<Result<VkPipeline>> result;
     };
     const Gpu& gpu;

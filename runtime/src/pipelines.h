@@ -1,5 +1,4 @@
-// Pipelines, made once for each (pass, target, layout of the vertices): when first asked for, or several at a time
-// ahead of that.
+// Pipelines, made once for each (pass, target, vertex layout): on first use, or several at a time before it.
 #pragma once
 
 #include <tyndall/parallel.h>
@@ -23,8 +22,8 @@ struct PipelineStore {
     std::map<std::pair<const permgen::Pass*, PassTarget>, std::vector<Entry>> pipelines;
 };
 
-/// What tells pipelines apart. A store sees one kind of `shaders` for each effect. Vertices are one interleaved
-/// stream of `elements` whose stride is dynamic state, as are viewport and scissor.
+/// The key of a pipeline. A store uses one kind of `shaders` for each effect. Vertices are one interleaved stream of
+/// `elements` whose stride is dynamic state, as are viewport and scissor.
 struct PipelineRequest {
     const permgen::Effect* effect = nullptr;
     const permgen::Pass* pass = nullptr;  ///< one of the effect's
@@ -33,15 +32,15 @@ struct PipelineRequest {
     std::span<const VertexElement> elements;
 };
 
-/// `created` grows by one where the pipeline had to be made.
-/// Errors: as PassPipelines::get().
+/// `created` grows by one if the pipeline had to be made.
+/// Errors: see PassPipelines::get().
 Result<PassPipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const PipelineRequest& request,
                                  std::uint64_t& created);
 
-/// Makes those of `requests` that the store lacks, each once, on the threads of `parallel` (which may be empty:
-/// on this one). `created` grows by the number made.
-/// Errors: the first that occurs, as pipelineFor(); InvalidArgument where `parallel` left jobs out. What
-/// could be made is then in the store all the same.
+/// Makes those `requests` that the store lacks, each once, on the threads of `parallel` (empty: on this thread).
+/// `created` grows by the number made.
+/// Errors: the first that occurs, see pipelineFor(); InvalidArgument if `parallel` left jobs out. The store keeps the
+/// pipelines that were made.
 Result<void> makePipelines(const Gpu& gpu, PipelineStore& store, std::span<const PipelineRequest> requests,
                            const ParallelFor& parallel, std::uint64_t& created);
 

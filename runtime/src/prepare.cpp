@@ -1,4 +1,4 @@
-// Makes a Renderer's pipelines ahead of recording.
+// Makes a Renderer's pipelines before recording.
 #include "renderer_pipelines.h"
 
 namespace tyndall {

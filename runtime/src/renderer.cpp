@@ -11,7 +11,7 @@
 namespace tyndall {
 namespace {
 
-/// The caller's build of an effect, or else the one built in.
+/// The caller's build of an effect, or the built-in one.
 Result<const permgen::Effect*> choose(const permgen::Effect* given, const permgen::Effect& builtIn,
                                       const EffectContract& contract, Shaders shaders) {
     if (!given) return &builtIn;
@@ -43,7 +43,7 @@ Result<Renderer> Renderer::create(const DeviceContext& context) {
     auto impl = std::make_unique<Impl>();
     impl->gpu = *gpu;
     impl->slices = *slices;
-    for (const TermSet terms : allTermSets)  // the contract holds them all
+    for (const TermSet terms : allTermSets)  // the contract names them all
         impl->sliceTechniques[terms.index()] = permgen::find_technique(**slices, techniqueName(terms));
     impl->composite = *composite;
     impl->shadowMap = *shadowMap;
@@ -148,7 +148,7 @@ Result<void> Renderer::record(VkCommandBuffer commands, FrameData& frame, const 
         if (auto composited = recordComposite(commands, frame, plan, group, targets); !composited) return composited;
     }
     if (plan.groups.empty() && targets.accumulation) {
-        // Nothing to draw, but the caller finds the layout that was promised.
+        // Nothing to draw, but the image must have the documented layout.
         VkImageMemoryBarrier2 barrier = imageBarrier(targets.accumulation, VK_IMAGE_ASPECT_COLOR_BIT);
         barrier.srcStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
         barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;

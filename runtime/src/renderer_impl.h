@@ -1,4 +1,4 @@
-// What a Renderer holds, shared by the files that implement its functions.
+// The data of a Renderer, shared by the files that implement its functions.
 #pragma once
 
 #include <array>
@@ -47,8 +47,8 @@ Result<FrameRange> placeValue(FrameData::Impl& frame, const Value& value, Render
 
 void bindVertices(VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize offset, VkDeviceSize stride);
 
-/// Errors: InvalidArgument where the targets are not complete, where the group is not in the plan, or where
-/// another plan, or none, was uploaded into the frame.
+/// Errors: InvalidArgument if the targets are incomplete, the group is not in the plan, or the frame does not hold this
+/// plan.
 Result<void> checkRecording(const FrameData::Impl& frame, const Plan& plan, std::size_t group,
                             const ShaftTargets& targets);
 

@@ -1,4 +1,4 @@
-// Which pipeline each of a Renderer's passes draws with: one answer for recording and for making them ahead.
+// The pipeline of each of a Renderer's passes. Recording and prepare() both use these functions.
 #pragma once
 
 #include "renderer_impl.h"

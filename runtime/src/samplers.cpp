@@ -46,7 +46,7 @@ bool assign(Value& target, std::optional<Value> value) {
     return value.has_value();
 }
 
-/// False where the value is not one that the renderer draws with.
+/// False if the renderer does not support the value.
 bool apply(const permgen::State& state, VkSamplerCreateInfo& info, permgen::Filter& mip) {
     using permgen::StateId;
     const permgen::d3d9::StateRow& row = permgen::d3d9::row_of(state.id);

@@ -9,10 +9,9 @@
 
 namespace tyndall {
 
-/// What `states` amount to, on top of Direct3D 9's defaults (point filtering, no mip levels, wrapping).
-/// Of two settings of a state the later counts. `Texture` names what the
-/// caller binds and says nothing about the sampler.
-/// Errors: InvalidArgument naming the state, or the value, that has no meaning here.
+/// `states` applied to Direct3D 9's defaults (point filtering, no mip levels, wrapping). The later of two settings of a
+/// state wins. `Texture` is ignored: it names the texture that the caller binds.
+/// Errors: InvalidArgument naming the unsupported state or value.
 Result<VkSamplerCreateInfo> samplerInfo(std::span<const permgen::State> states);
 
 }  // namespace tyndall

@@ -18,14 +18,14 @@ public:
     ShaderStages& operator=(const ShaderStages&) = delete;
     ~ShaderStages();
 
-    /// Once for each object. Errors: InvalidArgument where frozen modules are asked for and permgen made none.
+    /// Call it once for each object. Errors: InvalidArgument if frozen modules are wanted and permgen made none.
     Result<void> load(const permgen::Pass& pass, Shaders shaders);
 
     std::uint32_t count() const { return count_; }
     const VkPipelineShaderStageCreateInfo* data() const { return stages_.data(); }
 
 private:
-    /// What VkSpecializationInfo points to.
+    /// The data that VkSpecializationInfo points to.
     struct Specialization {
         VkSpecializationInfo info{};
         std::vector<VkSpecializationMapEntry> entries;

@@ -1,4 +1,4 @@
-// Draws what a light sees, depth only.
+// Draws a light's shadow map: depth only.
 #include <tyndall/renderer.h>
 #include <tyndall/rendering.h>
 

@@ -9,8 +9,8 @@
 namespace tyndall {
 namespace {
 
-// States come with Direct3D 9's numbers (permgen/states.h). A number that no case below names has no counterpart
-// in Vulkan, or none that the renderer draws with.
+// States come with Direct3D 9's numbers (permgen/states.h). A number without a case below has no counterpart in Vulkan,
+// or the renderer does not support it.
 
 std::optional<VkBlendFactor> blendFactor(std::uint32_t bits) {
     switch (static_cast<permgen::Blend>(bits)) {
@@ -40,7 +40,7 @@ std::optional<VkBlendFactor> blendFactor(std::uint32_t bits) {
     return std::nullopt;
 }
 
-// For the alpha channel Direct3D 9 reads a colour factor as the alpha one.
+// In the alpha channel Direct3D 9 treats a colour factor as the alpha factor.
 VkBlendFactor forAlpha(VkBlendFactor factor) {
     switch (factor) {
         case VK_BLEND_FACTOR_SRC_COLOR:
@@ -94,7 +94,7 @@ std::optional<VkCompareOp> compareOp(std::uint32_t bits) {
     return std::nullopt;
 }
 
-// CullMode names the winding that is dropped; front faces are clockwise here.
+// CullMode names the winding that is culled; front faces are clockwise here.
 std::optional<VkCullModeFlags> cullMode(std::uint32_t bits) {
     switch (static_cast<permgen::Cull>(bits)) {
         case permgen::Cull::None:
@@ -118,7 +118,7 @@ std::optional<VkColorComponentFlags> channels(std::uint32_t bits) {
 
 constexpr std::uint32_t solid = 3;  // D3DFILL_SOLID
 
-/// What was written, before alpha's own settings take the colour's place.
+/// The pass's blend settings, before the separate alpha settings apply.
 struct BlendAsWritten {
     bool separateAlpha = false;
     VkBlendFactor source = VK_BLEND_FACTOR_ONE, destination = VK_BLEND_FACTOR_ZERO;
@@ -132,7 +132,7 @@ bool assign(Target& target, std::optional<Value> value) {
     return value.has_value();
 }
 
-/// False where the value is not one that the renderer draws with.
+/// False if the renderer does not support the value.
 bool apply(const permgen::State& state, PassStates& pass, BlendAsWritten& blend) {
     using permgen::StateId;
     const permgen::d3d9::StateRow& row = permgen::d3d9::row_of(state.id);

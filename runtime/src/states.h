@@ -1,4 +1,4 @@
-// Direct3D 9 render states, as a pass writes them, in Vulkan's words.
+// Converts a pass's Direct3D 9 render states to Vulkan's.
 #pragma once
 
 #include <permgen/tables.h>
@@ -14,14 +14,14 @@ struct PassStates {
     VkPipelineColorBlendAttachmentState blend{};
     bool depthTest = true;
     bool depthWrite = true;
-    std::optional<VkCompareOp> depthCompare;       ///< where the pass writes ZFunc
-    VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;  ///< front faces are clockwise, as Direct3D has it
+    std::optional<VkCompareOp> depthCompare;       ///< if the pass sets ZFunc
+    VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;  ///< front faces are clockwise, as in Direct3D
 };
 
-/// What `states` amount to, on top of Direct3D 9's defaults (opaque, depth tested and written, back faces
-/// culled). Of two settings of a state the later counts. States without effect are left alone, and permgen
-/// warns of them; a state that every draw has one value of (permgen/d3d9/states.h) may have that one.
-/// Errors: InvalidArgument naming the state, or the value, that has no meaning here.
+/// `states` applied to Direct3D 9's defaults (opaque, depth tested and written, back faces culled). The later of two
+/// settings of a state wins. States without effect are ignored; permgen warns of them. A state with one supported value
+/// (permgen/d3d9/states.h) may have that value.
+/// Errors: InvalidArgument naming the unsupported state or value.
 Result<PassStates> passStates(std::span<const permgen::State> states);
 
 }  // namespace tyndall

@@ -1,4 +1,4 @@
-// Barriers, as the renderer records them between its passes.
+// The barriers that the renderer records between its passes.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -9,7 +9,7 @@ constexpr VkImageSubresourceRange wholeImage(VkImageAspectFlags aspect) {
     return {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
 }
 
-/// A barrier on the whole image that changes no queue; stages, accesses and layouts are to be filled in.
+/// A barrier on the whole image, without a queue change. Fill in stages, accesses and layouts.
 inline VkImageMemoryBarrier2 imageBarrier(VkImage image, VkImageAspectFlags aspect) {
     VkImageMemoryBarrier2 barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;

@@ -1,4 +1,4 @@
-// The caller's device, and which builds of the effects are drawn with on it.
+// The caller's device, and the builds of the effects to draw with.
 //
 // The device needs Vulkan 1.3 with dynamicRendering, synchronization2 and separateDepthStencilLayouts
 // enabled, the feature shaderClipDistance and the extension VK_KHR_push_descriptor.
@@ -9,12 +9,12 @@
 
 namespace tyndall {
 
-/// What pipelines are made of. Both draw the same picture, bit for bit.
+/// Which shader modules pipelines use. Both draw the same picture, bit for bit.
 enum class Shaders {
-    Frozen,       ///< the technique's own module without dead code: only what it needs is bound
-    Specialized,  ///< the one module that all techniques share, with its specialization constants set. What
-                  ///< it declares must be bound, needed or not (Vulkan counts a resource as used before
-                  ///< specialization): what the technique does not need is bound to neutral textures
+    Frozen,       ///< the technique's own module without dead code: only resources that it needs are bound
+    Specialized,  ///< the one module that all techniques share, with its specialization constants set. All its
+                  ///< resources must be bound (Vulkan counts a resource as used before specialization); those that the
+                  ///< technique does not need get neutral textures
 };
 
 struct DeviceContext {
@@ -23,8 +23,8 @@ struct DeviceContext {
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;  ///< may be null
     Shaders shaders = Shaders::Frozen;
 
-    /// Other builds of the Renderer's own effects, with frozen modules: loaded from a manifest, say. Null: the
-    /// ones built in. The caller keeps them alive as long as the Renderer.
+    /// Other builds of the Renderer's effects, with frozen modules, for instance loaded from a manifest. Null: the
+    /// built-in ones. They must outlive the Renderer.
     const permgen::Effect* slices = nullptr;     ///< of slices.fx
     const permgen::Effect* composite = nullptr;  ///< of composite.fx
     const permgen::Effect* shadowMap = nullptr;  ///< of shadow_map.fx

@@ -30,13 +30,13 @@ struct VertexElement {
     VkFormat format;
 };
 
-/// What a pipeline draws, and where.
+/// The attachments and dynamic state of a pipeline.
 struct PassTarget {
     std::array<VkFormat, 4> colours{};                  ///< COLOR0 to COLOR3; those at the end may be UNDEFINED
-    VkFormat depth = VK_FORMAT_UNDEFINED;               ///< UNDEFINED: no depth test, whatever the pass says
-    VkCompareOp compare = VK_COMPARE_OP_LESS_OR_EQUAL;  ///< of depths, where the pass has no ZFunc
+    VkFormat depth = VK_FORMAT_UNDEFINED;               ///< UNDEFINED: no depth test; overrides the pass
+    VkCompareOp compare = VK_COMPARE_OP_LESS_OR_EQUAL;  ///< of depths, if the pass has no ZFunc
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-    bool dynamicCulling = false;  ///< cull mode and front face are dynamic state, whatever the pass says
+    bool dynamicCulling = false;  ///< cull mode and front face are dynamic state; overrides the pass
     auto operator<=>(const PassTarget&) const = default;
 };
 
@@ -61,7 +61,7 @@ struct PassPipeline {
     const PassLayout* layout = nullptr;
 };
 
-/// What `pipeline` reads of the resource of that name, in the sense of permgen::is_live().
+/// How `pipeline` uses the resource of that name, in the sense of permgen::is_live().
 bool reads(const PassPipeline& pipeline, std::string_view resource);
 
 class PassPipelines {
@@ -76,25 +76,24 @@ public:
     PassPipelines& operator=(PassPipelines&&) noexcept;
     ~PassPipelines();  ///< the GPU must have finished with everything recorded
 
-    /// The pipeline that draws `pass`, a pass of the effect, made when first asked for. Of `elements` those are
-    /// used that the pass's vertex shader reads.
-    /// Errors: InvalidArgument where a state is unknown, where a semantic has no element, where frozen modules
-    /// are asked for that permgen was not told to make, where more than 32 resources are bound;
-    /// UnsupportedDevice where the device cannot draw to a format; Vulkan.
+    /// The pipeline that draws `pass`, a pass of the effect; made on first use. It uses those `elements` that the
+    /// pass's vertex shader reads.
+    /// Errors: InvalidArgument if a state is unknown, a semantic has no element, frozen modules are wanted and permgen
+    /// made none, or more than 32 resources are bound; UnsupportedDevice if the device cannot draw to a format; Vulkan.
     Result<PassPipeline> get(const permgen::Pass& pass, const PassTarget& target,
                              std::span<const VertexElement> elements);
 
-    /// Fills what stands in for resources that a specialized module declares and its pass does not read. To be
-    /// recorded before drawing with such pipelines, outside of rendering, in any submission that uses them;
-    /// records nothing where there is nothing to fill.
+    /// Fills the neutral resources for those that a specialized module declares and its pass does not read. Record it
+    /// before drawing with such pipelines, outside of rendering, in every submission that uses them. Records nothing if
+    /// there is nothing to fill.
     void recordNeutralResources(VkCommandBuffer commands) const;
 
-    /// Pushes what `pipeline` binds: of `buffers` and `images` those it names. Returns how many descriptors that
-    /// were. Errors: InvalidArgument naming a resource that the pass reads and that got no buffer or image.
+    /// Pushes those `buffers` and `images` that `pipeline` binds. Returns the number of descriptors. Errors:
+    /// InvalidArgument naming a resource that the pass reads and that got no buffer or image.
     Result<std::uint32_t> push(VkCommandBuffer commands, const PassPipeline& pipeline,
                                std::span<const NamedBuffer> buffers, std::span<const NamedImage> images) const;
 
-    /// Pipelines made so far.
+    /// Number of pipelines made so far.
     std::size_t count() const;
 
 private:

@@ -1,8 +1,8 @@
-// Records a plan into the caller's command buffer. Makes no decisions: plan() made them.
+// Records a plan into the caller's command buffer. All decisions are in the plan.
 //
 // The caller owns instance, device, queues, memory of its own images, synchronization between frames and
-// the pipeline cache. device.h says what the device needs. Nothing here is thread-safe by itself; use one
-// Renderer a thread or lock around it.
+// the pipeline cache. device.h says what the device needs. Nothing here is thread-safe: use one Renderer per thread, or
+// a lock.
 #pragma once
 
 #include <tyndall/device.h>
@@ -19,29 +19,29 @@ namespace tyndall {
 
 VkFormat accumulationFormat(Accumulation accumulation);
 
-/// The textures of one light, in layout SHADER_READ_ONLY_OPTIMAL. Views that its technique does not read
-/// may be null; they are not bound. Where it does read a null one, a neutral texture stands in: white for
-/// cookie and noise, an empty shadow map.
+/// The textures of one light, in layout SHADER_READ_ONLY_OPTIMAL. Views that its technique does not read may be null;
+/// they are not bound. A neutral texture replaces a null view that it does read: white for cookie and noise, an empty
+/// shadow map.
 struct LightTextures {
     VkImageView cookie = VK_NULL_HANDLE;     ///< linear colour
-    VkImageView noise = VK_NULL_HANDLE;      ///< red and green carry the two maps
+    VkImageView noise = VK_NULL_HANDLE;      ///< red and green hold the two maps
     VkImageView shadowMap = VK_NULL_HANDLE;  ///< depth aspect of a map drawn with lightClipFromLight()
 };
 
-/// Where a plan is drawn. All of one size; one sample a pixel.
+/// The images that a plan is drawn to. All have one size and one sample per pixel.
 struct ShaftTargets {
     VkExtent2D extent{};
     VkImage accumulation = VK_NULL_HANDLE;  ///< of accumulationFormat(), usage COLOR_ATTACHMENT | SAMPLED
     VkImageView accumulationView = VK_NULL_HANDLE;
     VkImageView depth = VK_NULL_HANDLE;  ///< the scene's, read only, layout DEPTH_READ_ONLY_OPTIMAL (both
                                          ///< tested against and sampled by the blur); usage
-                                         ///< DEPTH_STENCIL_ATTACHMENT | SAMPLED. Null: nothing stands
-                                         ///< before the shafts, and there is no blur
+                                         ///< DEPTH_STENCIL_ATTACHMENT | SAMPLED. Null: no surface hides the shafts, and
+                                         ///< there is no blur
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;  ///< reversed depth as in perspectiveView()
     VkImageView colour = VK_NULL_HANDLE;  ///< shafts are added to it, layout COLOR_ATTACHMENT_OPTIMAL
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;
-    bool blur = false;  ///< 3x3 blur when compositing that stops at depth edges
+    bool blur = false;  ///< compositing blurs 3x3 and stops at depth edges
 };
 
 /// One occluder: indexed triangles, positions as three floats at the start of each vertex.
@@ -55,31 +55,31 @@ struct Occluder {
     glm::dmat4 worldFromMesh{1.0};
 };
 
-/// The occluder as a ShadowCache takes it: by its buffers' handles and places in them. Where buffers' contents change,
-/// or where a new buffer may have the handle of a destroyed one, invalidate() the cache.
+/// The occluder for a ShadowCache: identified by its buffers' handles and offsets. If a buffer's contents change, or a
+/// new buffer may have the handle of a destroyed one, invalidate() the cache.
 ShadowCaster shadowCaster(const Occluder& occluder);
 
-/// What will be recorded, as far as pipelines depend on it.
+/// What will be recorded: everything that pipelines depend on.
 struct PipelineNeeds {
-    std::span<const TermSet> terms;  ///< those of the parts to be drawn; may repeat
+    std::span<const TermSet> terms;  ///< of the parts to be drawn; may repeat
     Accumulation accumulation = Accumulation::Rgba16f;
-    VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED where its depth will be null
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED if its depth will be null
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED: nothing is composited
     bool blur = false;
     VkFormat shadowMapFormat = VK_FORMAT_UNDEFINED;  ///< UNDEFINED: no shadow map is drawn
 };
 
-/// Counts of what one Renderer recorded and made, since it was created.
+/// Counters of one Renderer since its creation.
 struct RendererCounters {
     std::uint64_t draws = 0, slicesDrawn = 0, descriptorsPushed = 0, pipelinesCreated = 0, bytesUploaded = 0;
     std::uint64_t neutralTexturesCreated = 0;
     std::uint64_t shadowMapsDrawn = 0;
-    std::uint64_t pipelinesPrepared = 0;  ///< of pipelinesCreated, those that prepare() made
+    std::uint64_t pipelinesPrepared = 0;  ///< the part of pipelinesCreated that prepare() made
 };
 
-/// GPU memory that one frame in flight needs: vertices, indices, constants. Grows as needed, never
-/// shrinks. Reuse it only when the GPU has finished with it, and destroy it before the device.
+/// GPU memory that one frame in flight needs: vertices, indices, constants. Grows as needed and never shrinks. Reuse it
+/// only after the GPU has finished with it. Destroy it before the device.
 class FrameData {
 public:
     struct Impl;  ///< the library's own
@@ -98,48 +98,46 @@ private:
 class Renderer {
 public:
     struct Impl;  ///< the library's own
-    /// Errors: InvalidArgument for a null handle, and where one of context's effects does not fit this library:
-    /// a technique, a frozen module or a constant is absent, or lies elsewhere in its block. UnsupportedDevice
-    /// with the missing feature's name.
+    /// Errors: InvalidArgument for a null handle, or if one of context's effects does not fit this library: a
+    /// technique, a frozen module or a constant is absent, or lies elsewhere in its block. UnsupportedDevice with the
+    /// missing feature's name.
     static Result<Renderer> create(const DeviceContext& context);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();  ///< the GPU must have finished with everything recorded
 
-    /// Makes the pipelines that are needed and not there yet, each once, so that recording makes none: one for each set
-    /// of terms, one to composite where there is such a set, one for shadow maps. `parallel`, where given, lends
-    /// the threads: device.pipelineCache must then not be externally synchronized
-    /// (VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT), and everything else of this Renderer waits.
+    /// Makes the missing pipelines, each once, so that recording makes none: one for each set of terms, one to
+    /// composite if there is such a set, one for shadow maps. `parallel`, if given, provides the threads:
+    /// device.pipelineCache must then not be externally synchronized
+    /// (VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT), and no other function of this Renderer may run.
     /// Errors: InvalidArgument where `parallel` leaves jobs out;
-    /// UnsupportedDevice where the device cannot draw to a format; Vulkan. What could be made is kept then.
+    /// UnsupportedDevice if the device cannot draw to a format; Vulkan. Pipelines made before the error are kept.
     Result<void> prepare(const PipelineNeeds& needs, const ParallelFor& parallel = {});
 
-    // Every function below that can fail answers InvalidArgument where its arguments break what is stated
-    // here, UnsupportedDevice where the device cannot draw to a format, and Vulkan. Pipelines that
-    // prepare() did not make are made on first use, within the recording functions.
+    // Errors of all functions below: InvalidArgument if an argument breaks a rule stated here, UnsupportedDevice if the
+    // device cannot draw to a format, and Vulkan. The recording functions make missing pipelines on first use.
 
-    /// Starts a frame: forgets what `frame` held, shadow maps recorded with it included, and uploads the
-    /// plan's vertices, indices and constants. So it comes first in a frame.
+    /// Starts a frame: discards the contents of `frame`, including shadow maps recorded with it, and uploads the plan's
+    /// vertices, indices and constants. Call it first in a frame.
     Result<void> upload(FrameData& frame, const Plan& plan);
 
     /// Records a light's shadow map: clears `map` (a depth view of `size` x `size` texels in layout
-    /// DEPTH_ATTACHMENT_OPTIMAL) to 0 and draws the occluders, both faces, closest wins (reversed depth).
-    /// What stands before the light's near plane throws no shadow. shadow_cache.h tells which occluders a map needs,
-    /// and when it needs drawing. The map's layout does not change; the
-    /// barriers before and after are the caller's.
+    /// DEPTH_ATTACHMENT_OPTIMAL) to 0 and draws both faces of the occluders; the nearest surface wins (reversed depth).
+    /// Occluders before the light's near plane throw no shadow. shadow_cache.h finds the occluders that a map needs,
+    /// and the maps to draw. The map's layout does not change; the caller records the barriers before and after.
     Result<void> recordShadowMap(VkCommandBuffer commands, FrameData& frame, const Light& light,
                                  std::span<const Occluder> occluders, VkImageView map, VkFormat format,
                                  std::uint32_t size);
 
     /// Records every group of the plan: clears the accumulation target, adds the slices, composites into
     /// targets.colour. `textures` has one entry for each light given to plan(). Layout of the accumulation
-    /// image before: any (contents are discarded); after: SHADER_READ_ONLY_OPTIMAL. Barriers between the
-    /// passes are recorded; those against the caller's own work are the caller's.
+    /// image before: any (contents are discarded); after: SHADER_READ_ONLY_OPTIMAL. Barriers between the passes are
+    /// recorded; the caller records those against its own work.
     Result<void> record(VkCommandBuffer commands, FrameData& frame, const Plan& plan,
                         std::span<const LightTextures> textures, const ShaftTargets& targets);
 
-    /// The two halves of record(), for callers who want to time or replace one: accumulate leaves the
-    /// accumulation image in SHADER_READ_ONLY_OPTIMAL, composite expects it there.
+    /// The two halves of record(), for callers who time or replace one: accumulate leaves the accumulation image in
+    /// SHADER_READ_ONLY_OPTIMAL, and composite expects that layout.
     Result<void> recordAccumulation(VkCommandBuffer commands, FrameData& frame, const Plan& plan, std::size_t group,
                                     std::span<const LightTextures> textures, const ShaftTargets& targets);
     Result<void> recordComposite(VkCommandBuffer commands, FrameData& frame, const Plan& plan, std::size_t group,

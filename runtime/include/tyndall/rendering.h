@@ -1,4 +1,4 @@
-// Beginning to draw into attachments.
+// Begins rendering into attachments.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -8,7 +8,7 @@
 
 namespace tyndall {
 
-/// An attachment that starts at zero where `load` clears, and is kept.
+/// An attachment that is stored at the end; if `load` clears, it starts at zero.
 inline VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layout, VkAttachmentLoadOp load) {
     VkRenderingAttachmentInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
@@ -19,7 +19,7 @@ inline VkRenderingAttachmentInfo attachment(VkImageView view, VkImageLayout layo
     return info;
 }
 
-/// Begins rendering over the whole of `extent`, viewport and scissor included. `depth` may be null.
+/// Begins rendering over the whole of `extent` and sets viewport and scissor. `depth` may be null.
 inline void beginRendering(VkCommandBuffer commands, VkExtent2D extent,
                            std::span<const VkRenderingAttachmentInfo> colours, const VkRenderingAttachmentInfo* depth) {
     VkRenderingInfo rendering{};

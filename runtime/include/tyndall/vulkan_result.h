@@ -7,7 +7,7 @@
 
 namespace tyndall {
 
-/// "VK_ERROR_DEVICE_LOST": the results that the calls made here can give, by name; others as "VkResult 7".
+/// "VK_ERROR_DEVICE_LOST": the name, for results of the calls made here; others as "VkResult 7".
 std::string resultName(VkResult result);
 
 }  // namespace tyndall
