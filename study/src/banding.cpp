@@ -16,12 +16,13 @@ struct Line {
     double r(int k) const { return reference[static_cast<std::size_t>(k) * stride]; }
 };
 
-/// -1, 0 or 1; 0 too where either is not finite.
+/// -1, 0 or 1; 0 as well if either is not finite.
 int direction(double from, double to) {
     return std::isfinite(to - from) ? (to > from) - (to < from) : 0;
 }
 
-/// True where the run from `first` to `last` beats what `best` holds. Its start's pixel is the caller's to set.
+/// Whether the run from `first` to `last` is longer than `best`, which it then replaces. The caller sets its start's
+/// pixel.
 bool improve(Banding& best, const Line& line, int first, int last, double threshold, double dark) {
     if (last - first + 1 <= best.longestRun) return false;
     const double from = line.r(first), to = line.r(last);
@@ -33,12 +34,12 @@ bool improve(Banding& best, const Line& line, int first, int last, double thresh
     return true;
 }
 
-/// The first pixel of the line's longest run, where that is longer than the best so far; else -1.
+/// The first pixel of the line's longest run if it is longer than the best so far; else -1.
 int searchLine(Banding& best, const Line& line, double threshold, double dark) {
     int start = -1;
     for (int k = 0; k + 1 < line.length;) {
-        // Along one step the direction of the reference cannot turn, so a turn starts a new run at its own pixel
-        // and a change of the image one at the next.
+        // The direction of the reference cannot change within one step. So a change of its direction starts a new run
+        // at the same pixel, and a change of the image starts one at the next pixel.
         const int way = direction(line.r(k), line.r(k + 1));
         const int first = k;
         while (k + 1 < line.length && way != 0 && direction(line.r(k), line.r(k + 1)) == way &&

@@ -25,9 +25,9 @@ bool finite(const glm::dmat4& matrix) {
 bool rigid(const glm::dmat4& pose) {
     const glm::dmat3 r(pose);
     const glm::dmat3 off = glm::transpose(r) * r - glm::dmat3(1.0);
-    double most = 0.0;
-    for (int i = 0; i < 9; ++i) most = std::max(most, std::abs(off[i / 3][i % 3]));
-    return finite(pose) && most <= 1e-6 && glm::determinant(r) > 0.0;
+    double maxOff = 0.0;
+    for (int i = 0; i < 9; ++i) maxOff = std::max(maxOff, std::abs(off[i / 3][i % 3]));
+    return finite(pose) && maxOff <= 1e-6 && glm::determinant(r) > 0.0;
 }
 
 Checked checkTexture(const std::string& place, const Texture& texture, int channels) {
@@ -49,7 +49,7 @@ Checked checkTexture(const std::string& place, const Texture& texture, int chann
 }
 
 // Texels of noise across the light's field of view: each is a breakpoint of every ray that crosses it.
-constexpr double mostNoiseTexels = 1e5;
+constexpr double maxNoiseTexels = 1e5;
 
 Checked checkNoise(const std::string& place, const Noise& noise, const Texture& texture, double time) {
     for (const double number :
@@ -59,11 +59,11 @@ Checked checkNoise(const std::string& place, const Noise& noise, const Texture& 
                           place, number);
     if (noise.gain < 0.0) return broken("{}: its noise has a gain of {}: it cannot be negative", place, noise.gain);
     const double texels = std::max(std::abs(noise.scale.x) * texture.width, std::abs(noise.scale.y) * texture.height);
-    if (!(texels <= mostNoiseTexels))
+    if (!(texels <= maxNoiseTexels))
         return broken(
-            "{}: its noise is repeated over {} texels of the field of view: at most {} can be followed; lower "
+            "{}: its noise is repeated over {} texels of the field of view: the maximum is {}; lower "
             "its scale",
-            place, texels, mostNoiseTexels);
+            place, texels, maxNoiseTexels);
     return {};
 }
 
@@ -120,7 +120,7 @@ Checked checkScene(const ReferenceScene& scene, const ReferenceOptions& options)
         return broken("the picture is {}x{} pixels: it must have some; give both sides 1 or more", scene.width,
                       scene.height);
     if (!(options.accuracy >= 1e-12 && options.accuracy <= 1.0))
-        return broken("accuracy is {}: it must lie from 1e-12, which doubles still reach, to 1; 1e-8 is a good choice",
+        return broken("accuracy is {}: it must lie from 1e-12, the limit of doubles, to 1; 1e-8 is a good choice",
                       options.accuracy);
     if (!std::isfinite(scene.time)) return broken("time must be a finite number of seconds");
     const View& view = scene.view;

@@ -1,11 +1,11 @@
-// What a reference scene has to be before any of it is used.
+// Checks a reference scene before it is used.
 #pragma once
 
 #include <study/reference.h>
 
 namespace tyndall::study {
 
-/// Errors: the first broken rule, with its place and what to do.
+/// Errors: the first broken rule, with its place and a remedy.
 Result<void> checkScene(const ReferenceScene& scene, const ReferenceOptions& options);
 
 }  // namespace tyndall::study

@@ -6,7 +6,7 @@
 namespace tyndall::study {
 namespace {
 
-// Of full light; a cone whose angles are alike still has an edge this wide, as the extension has it.
+// The minimum width of the edge of full light, as in the extension: a cone with equal angles has it, too.
 double fullCosine(const Cone& cone) {
     return std::cos(cone.outer) + std::max(0.001, std::cos(cone.inner) - std::cos(cone.outer));
 }
@@ -25,7 +25,7 @@ bool inFullLight(const Cone& cone, double cosine) {
 
 void addCrossings(std::vector<double>& places, const Cone& cone, const LightRay& ray, Span span) {
     // axis(s) = k |P(s)| squared: (c1^2 - k^2) s^2 + 2 c0 c1 s + c0^2 - k^2 h^2 = 0. Squaring adds the roots of the
-    // cone behind the lamp, which no span reaches.
+    // cone behind the lamp, outside of all spans.
     const double c0 = -ray.foot.z, c1 = -ray.direction.z, h = ray.distance;
     for (const double k : {std::cos(cone.outer), fullCosine(cone)}) {
         const double a = c1 * c1 - k * k, b = c0 * c1, c = c0 * c0 - k * k * h * h;

@@ -9,14 +9,14 @@
 
 namespace tyndall::study {
 
-/// What a cone leaves of the light where the direction from the lamp has this cosine to its axis, 0 to 1:
-/// KHR_lights_punctual, "Inner and Outer Cone Angles".
+/// The cone's factor, 0 to 1, for a direction from the lamp with this cosine to its axis: KHR_lights_punctual, "Inner
+/// and Outer Cone Angles".
 double coneFalloff(const Cone& cone, double cosine);
 
-/// Whether that direction is within full light, not on its edge: a ray may touch the edge and be dimmer all around.
+/// Whether that direction is inside full light, not on its edge: a ray may touch the edge and be dimmer on both sides.
 bool inFullLight(const Cone& cone, double cosine);
 
-/// Adds the places within `span` where the ray enters or leaves the dark, and full light.
+/// Adds the positions within `span` where the ray crosses the edge of the dark or of full light.
 void addCrossings(std::vector<double>& places, const Cone& cone, const LightRay& ray, Span span);
 
 }  // namespace tyndall::study

@@ -6,8 +6,8 @@
 
 namespace tyndall::study {
 
-/// Keeps one pair of integers for each exponent that a double can have, so that nothing is rounded while
-/// adding. Room for 2^36 finite values.
+/// Keeps one pair of integers for each exponent that a double can have, so that adding never rounds. Holds up to 2^36
+/// finite values.
 class ExactSum {
 public:
     void add(double value);

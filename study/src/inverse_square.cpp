@@ -6,13 +6,13 @@
 namespace tyndall::study {
 namespace {
 
-// Below this tangent an angle is its tangent to the last digit.
+// Below this value an angle and its tangent are equal as doubles.
 constexpr double smallTangent = 1e-8;
 
 }  // namespace
 
 double inverseSquareIntegral(double a, double b, double h) {
-    // atan(b / h) - atan(a / h) as the one angle between both directions: nothing cancels.
+    // atan(b / h) - atan(a / h), computed as one angle between both directions to avoid cancellation.
     const double across = h * (b - a), along = h * h + a * b;
     if (along > 0.0 && across < smallTangent * along) return (b - a) / along;
     return std::atan2(across, along) / h;

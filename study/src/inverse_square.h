@@ -3,12 +3,12 @@
 
 namespace tyndall::study {
 
-/// Integral of ds / (h^2 + s^2) from a to b, a <= b: what a lamp at distance h from the ray sends to it, per
-/// candela. Stays exact as h goes to 0, where differences of atan lose every digit; infinite only where h is 0
-/// and the lamp lies within [a, b].
+/// Integral of ds / (h^2 + s^2) from a to b, a <= b: the light that a lamp at distance h sends to the ray, per candela.
+/// Accurate as h goes to 0, where differences of atan lose all digits. Infinite only if h is 0 and the lamp lies within
+/// [a, b].
 double inverseSquareIntegral(double a, double b, double h);
 
-/// The substitution that takes the lamp's peak out of the integral over [a, b], which must not have 0 inside:
+/// The substitution that removes the lamp's peak from the integral over [a, b], which must not have 0 inside:
 ///
 ///   integral of g(s) ds / (h^2 + s^2) = measure * integral over x in [0, 1] of g(at(x)) dx.
 ///

@@ -11,7 +11,7 @@
 namespace tyndall::study {
 namespace {
 
-// Phase of a scrolling texture in [0, 1): whole repeats change nothing and would cost digits.
+// Phase of a scrolling texture in [0, 1): whole repeats are dropped, because they only cost precision.
 double phase(double turns) {
     return turns - std::floor(turns);
 }
@@ -22,12 +22,12 @@ TexelPath noisePath(const ReferenceLight& light, const Projected& uv, glm::dvec2
                      {scaled(uv.u, scale.x, phase(scroll.x * time)), scaled(uv.v, scale.y, phase(scroll.y * time))});
 }
 
-/// What cookie, shadow, noise and cone leave of the light within a stretch in which no texture changes its cell.
+/// The product of cookie, shadow, noise and cone within a stretch in which every texture stays in one cell.
 struct Masks {
     std::optional<Cell> cookie, noise1, noise2, shadow;
     std::array<bool, 4> corners{};
     double gain = 1.0;
-    const Cone* cone = nullptr;  // where it is neither dark nor in full light
+    const Cone* cone = nullptr;  // null where the stretch is dark or in full light
     const LightRay* ray = nullptr;
 
     glm::dvec3 at(double s) const {
@@ -37,7 +37,7 @@ struct Masks {
             const std::array<double, 4> weight = shadow->weights(s, reciprocal);
             double through = 0.0;
             for (int i = 0; i < 4; ++i) through += corners[i] ? weight[i] : 0.0;
-            mask *= std::max(through, 0.0);  // crossings are rounded: a weight may stick out by one ulp
+            mask *= std::max(through, 0.0);  // crossings are rounded: a weight may be negative by one ulp
         }
         if (noise1)
             mask *= gain * noise1->blend(noise1->weights(s, reciprocal), 0) *
@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    // Neighbours of the same value become one integral.
+    // Neighbours with the same value become one integral.
     void addConstant(Span span, const glm::dvec3& value) {
         if (!pending_.empty() && pending_.end == span.begin && value == value_) {
             pending_.end = span.end;
@@ -105,7 +105,7 @@ private:
     template <class Mask>
     void addVarying(Span span, const Mask& mask) {
         places_.assign({span.begin, span.end});
-        // The angle from the lamp has its corner at the foot: one side at a time.
+        // The angle from the lamp has a corner at the foot, so each side is integrated separately.
         if (span.begin < 0.0 && span.end > 0.0) places_.push_back(0.0);
         scattering_.addBreakpoints(places_, span);
         std::sort(places_.begin(), places_.end());

@@ -1,4 +1,4 @@
-// What one light's air sends along one ray.
+// The light that one lamp's air sends along one ray.
 #pragma once
 
 #include <study/reference.h>
@@ -11,7 +11,7 @@
 
 namespace tyndall::study {
 
-/// Where each of a light's textures is along a ray.
+/// The path of a ray through each of a light's textures.
 struct TexturePaths {
     TexelPath cookie, noise1, noise2;
 };

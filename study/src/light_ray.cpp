@@ -6,7 +6,7 @@
 namespace tyndall::study {
 namespace {
 
-// Keeps where a + b s >= 0.
+// Keeps the part with a + b s >= 0.
 Span clipped(Span span, double a, double b) {
     if (b > 0.0)
         span.begin = std::max(span.begin, -a / b);
@@ -47,7 +47,7 @@ double depthOf(const View& view, const ViewRay& ray, double stored) {
 }
 
 LightRay lightRay(const Light& light, const View& view, const ViewRay& ray) {
-    // World positions may be large: subtract them before anything is rotated.
+    // World positions may be large: subtract them before rotating.
     const glm::dmat3 lightFromWorld = glm::transpose(glm::dmat3(light.worldFromLight));
     const glm::dmat3 worldFromView(view.worldFromView);
     const glm::dvec3 eye = glm::dvec3(view.worldFromView[3]) - glm::dvec3(light.worldFromLight[3]);

@@ -14,8 +14,8 @@
 namespace tyndall::study {
 namespace {
 
-// Whole estimates of their own, whose spread tells the error: within strata it could not be told, where one
-// stratum with a shadow's edge in it outweighs thousands of smooth ones.
+// Separate estimates, whose spread gives the error. The spread within strata cannot give it: one stratum with a
+// shadow's edge outweighs thousands of smooth ones.
 constexpr int replicates = 32;
 
 double unit(std::mt19937_64& random) {
@@ -69,13 +69,13 @@ struct PointTest {
     double shadow(const glm::dvec3& view, const glm::dvec3& p, double u, double v) const {
         if (!light.light.shadow) return 1.0;
         if (scene.mode == Mode::Hardware) return mapped(u, v, -p.z);
-        // From where the near plane is crossed: what stands before it throws no shadow.
+        // Starts at the near plane: triangles before it throw no shadow.
         const glm::dvec3 start = p * (light.light.nearPlane / -p.z);
         return surfaces.blocked(glm::dvec3(glm::inverse(lightFromView) * glm::dvec4(start, 1.0)), view) ? 0.0 : 1.0;
     }
 
-    // Henyey and Greenstein's phase function times 4 pi, and what the air leaves of the light on both ways. Points
-    // see an eye at the view's origin, or one infinitely far behind the plane of depth 0.
+    // Henyey and Greenstein's phase function times 4 pi, and the air's transmittance along both paths. The eye is at
+    // the view's origin, or infinitely far behind the plane of depth 0.
     double scattered(const glm::dvec3& view) const {
         const Light& l = light.light;
         const glm::dvec3 fromLamp = view - glm::dvec3(glm::inverse(lightFromView)[3]);
@@ -88,7 +88,7 @@ struct PointTest {
         return phase * std::exp(-l.density / *l.albedo * (glm::length(fromLamp) + back));
     }
 
-    // Of the integrand at a point of view space.
+    // The integrand at a point of view space.
     glm::dvec3 at(const glm::dvec3& view) const {
         const Light& l = light.light;
         const glm::dvec3 p(lightFromView * glm::dvec4(view, 1.0));
@@ -144,16 +144,16 @@ Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int sampl
         const glm::dvec3 lamp(glm::inverse(lightFromView)[3]);
         const double foot = glm::dot(lamp - ray.origin, ray.direction);
         const double h = glm::length(lamp - ray.origin - foot * ray.direction);
-        // No point of the light's volume is farther from the lamp than its far corners.
+        // The far corners are the points of the light's volume farthest from the lamp.
         const glm::dvec2 slope = glm::tan(0.5 * light.light.fov);
-        const double reach = light.light.farPlane * std::sqrt(1.0 + glm::dot(slope, slope));
-        const double from = std::atan2(std::max(begin - foot, -reach), h);
-        const double to = std::atan2(std::min(end - foot, reach), h);
+        const double farthest = light.light.farPlane * std::sqrt(1.0 + glm::dot(slope, slope));
+        const double from = std::atan2(std::max(begin - foot, -farthest), h);
+        const double to = std::atan2(std::min(end - foot, farthest), h);
         if (!(from < to)) continue;
         const double width = (to - from) / strata;
         for (glm::dvec3& sum : sums) {
-            // Where strata begin is left to chance too: an edge at a fixed place within one would be met by few
-            // replicates or by none, and their spread would hide it.
+            // The strata start at random positions: an edge at a fixed position within a stratum would be hit by few
+            // replicates or by none, and their spread would not show it.
             const double shift = unit(random);
             for (int i = 0; i < strata; ++i) {
                 const double place = std::fmod(i + shift + unit(random), strata);

@@ -7,12 +7,12 @@
 namespace tyndall::study {
 namespace {
 
-// Nearer than this share of its length, a ray is taken to pass the lamp at this distance when shadows are looked
-// for, so that ray and lamp still span a plane. Edges then move by no more than that share, and what doubles leave
-// of the plane's direction is as little: the square root of their precision makes both alike.
-constexpr double leastDistance = 1e-8;
+// Minimum distance between lamp and ray in the search for shadows, as a share of the maximum distance, so that ray and
+// lamp span a plane. Edges move by at most that share. The plane's direction has an error from rounding as well; the
+// square root of the precision of doubles makes both errors equal.
+constexpr double minDistance = 1e-8;
 
-double reachOf(Span span) {
+double maxDistance(Span span) {
     return std::max(std::abs(span.begin), std::abs(span.end));
 }
 
@@ -23,15 +23,15 @@ struct RayPlane {
 };
 
 RayPlane rayPlane(const LightRay& ray, Span span) {
-    const double least = leastDistance * reachOf(span);
+    const double min = minDistance * maxDistance(span);
     RayPlane plane{ray.direction, ray.foot, {}, ray.distance};
-    if (plane.distance < least) {
+    if (plane.distance < min) {
         const glm::dvec3 d = glm::abs(ray.direction);
         const glm::dvec3 helper = d.x <= d.y && d.x <= d.z ? glm::dvec3(1, 0, 0)
                                   : d.y <= d.z             ? glm::dvec3(0, 1, 0)
                                                            : glm::dvec3(0, 0, 1);
         plane.across = glm::cross(ray.direction, helper);
-        plane.distance = least;
+        plane.distance = min;
     }
     plane.across = glm::normalize(plane.across);
     plane.normal = glm::cross(plane.along, plane.across);
@@ -43,7 +43,7 @@ struct Piece {
     glm::dvec3 from, to;
 };
 
-// Keeps where the weighted sum of the three coordinates is positive.
+// Keeps the part with a positive weighted sum of the three coordinates.
 bool keep(Piece& piece, glm::dvec3 weight, double offset) {
     const double a = glm::dot(weight, piece.from) + offset, b = glm::dot(weight, piece.to) + offset;
     if (!(a > 0.0) && !(b > 0.0)) return false;
@@ -57,8 +57,8 @@ bool before(const glm::dvec3& a, const glm::dvec3& b) {
     return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// Where the triangle cuts the plane. Neighbours agree on their common edge to the last bit: a corner in the plane
-// counts to one side for both, and the edge is always gone along in the same direction.
+// The intersection of the triangle with the plane. Neighbours have bit-identical ends on their common edge: a corner in
+// the plane counts to the same side for both, and an edge is always traversed in the same direction.
 std::optional<Piece> cut(const RayPlane& plane, const Corners& corners) {
     std::array<double, 3> side;
     for (int i = 0; i < 3; ++i) side[i] = glm::dot(plane.normal, corners[i]);
@@ -75,9 +75,9 @@ std::optional<Piece> cut(const RayPlane& plane, const Corners& corners) {
     return Piece{ends[0], ends[1]};
 }
 
-// The stretch of the ray that the piece hides, empty where it hides none.
+// The stretch of the ray that the piece hides; may be empty.
 Span shadowOf(Piece piece, const RayPlane& plane, double nearPlane, Span span) {
-    // Between lamp and ray, in front of the near plane, inside the triangle of lamp and span.
+    // Between lamp and ray, beyond the near plane, inside the triangle of lamp and span.
     const double h = plane.distance;
     if (!keep(piece, {0.0, 0.0, 1.0}, -nearPlane) || !keep(piece, {0.0, -1.0, 0.0}, h) ||
         !keep(piece, {h, -span.begin, 0.0}, 0.0) || !keep(piece, {-h, span.end, 0.0}, 0.0))
@@ -87,8 +87,8 @@ Span shadowOf(Piece piece, const RayPlane& plane, double nearPlane, Span span) {
     return {std::min(from, to), std::max(from, to)};
 }
 
-std::array<HalfSpace, 5> wedge(const RayPlane& plane, Span span, double reach) {
-    const double h = plane.distance, slack = 1e-12 * reach;
+std::array<HalfSpace, 5> wedge(const RayPlane& plane, Span span, double farthest) {
+    const double h = plane.distance, slack = 1e-12 * farthest;
     return {{
         {plane.normal, slack},
         {-plane.normal, slack},
@@ -124,19 +124,19 @@ void litSpans(std::vector<LitSpan>& lit, const TriangleTree& occluders, double n
               Span span) {
     if (span.empty()) return;
     const RayPlane plane = rayPlane(ray, span);
-    const double reach = plane.distance + reachOf(span);
+    const double farthest = plane.distance + maxDistance(span);
     thread_local std::vector<std::uint32_t> found;
     thread_local std::vector<Span> dark;
     found.clear();
     dark.clear();
-    occluders.find(wedge(plane, span, reach), found);
+    occluders.find(wedge(plane, span, farthest), found);
     for (const std::uint32_t index : found)
         if (const auto piece = cut(plane, occluders.triangles()[index]))
             if (const Span shadow = shadowOf(*piece, plane, nearPlane, span); !shadow.empty()) dark.push_back(shadow);
 
     std::sort(dark.begin(), dark.end(), [](const Span& a, const Span& b) { return a.begin < b.begin; });
-    // What is lit between shadows whose edges cannot be told apart is rounding: no light falls through the joints of
-    // a closed surface, nor past the ends of the span.
+    // A lit gap between shadows whose edges differ by rounding only is removed: a closed surface must not leak light at
+    // its joints or at the ends of the span.
     const double joint = 4.0 * edgeError(ray, span);
     double open = span.begin;
     for (const Span& shadow : dark) {
@@ -147,8 +147,8 @@ void litSpans(std::vector<LitSpan>& lit, const TriangleTree& occluders, double n
 }
 
 double edgeError(const LightRay& ray, Span span) {
-    const double reach = reachOf(span), share = ray.distance / reach;
-    return reach * (share < leastDistance ? 2.0 * leastDistance : 0x1p-52 / share);
+    const double farthest = maxDistance(span), share = ray.distance / farthest;
+    return farthest * (share < minDistance ? 2.0 * minDistance : 0x1p-52 / share);
 }
 
 }  // namespace tyndall::study

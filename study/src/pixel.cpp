@@ -11,19 +11,19 @@
 namespace tyndall::study {
 namespace {
 
-// What sums, roots and divisions of doubles leave over, a few ulp for each of some dozen steps; nothing here is
-// subtracted from anything of its own size, and no term is negative, so it stays relative.
+// Relative rounding error: a few ulp for each of some dozen sums, roots and divisions of doubles. No subtraction
+// cancels and all terms are positive or 0, so the error stays relative.
 constexpr double rounding = 64.0 * 0x1p-53;
 
-// Metres by which the place of a shadow's edge may be off.
+// Maximum error of a shadow's edge in metres.
 double edgeErrorOf(Mode mode, const Light& light, const LightRay& ray, Span span) {
     if (mode == Mode::Ideal) return edgeError(ray, span);
     // The axis distance meets a texel's where the ray may run almost along it.
-    const double reach = std::max(std::abs(span.begin), std::abs(span.end));
-    return std::min(0x1p-52 * (reach + light.farPlane / std::abs(ray.direction.z)), span.end - span.begin);
+    const double farthest = std::max(std::abs(span.begin), std::abs(span.end));
+    return std::min(0x1p-52 * (farthest + light.farPlane / std::abs(ray.direction.z)), span.end - span.begin);
 }
 
-// What that is in light: each edge of a lit stretch that is not an end of the span may add or take so much.
+// The same as light: each edge of a lit stretch, except the ends of the span, may add or remove this much.
 double edgeLight(Mode mode, const Light& light, const LightRay& ray, Span span, const std::vector<LitSpan>& lit) {
     const Scattering scattering(light, ray);
     const double gain = light.noise ? light.noise->gain : 1.0;
@@ -47,7 +47,7 @@ PreparedScene prepare(const ReferenceScene& scene) {
     for (const ReferenceLight& light : scene.lights) {
         const bool shadow = light.light.shadow;
         prepared.occluders.push_back(ideal && shadow ? occluders(light.light, scene.triangles) : TriangleTree());
-        // A bias of all of the near plane would put points behind the lamp; plan() stops before, too.
+        // The bias is limited so that points stay before the lamp; plan() does the same.
         const double bias = std::min(scene.shadowBias, 0.99 * light.light.nearPlane);
         prepared.shadowMaps.push_back(!ideal && shadow ? shadowMap(light.light, light.shadowMap, bias) : ShadowMap());
     }

@@ -11,7 +11,7 @@
 
 namespace tyndall::study {
 
-/// A scene and what is worked out of it once. `scene` must outlive it.
+/// A scene and the data that are computed from it once. `scene` must outlive it.
 struct PreparedScene {
     const ReferenceScene& scene;
     Surfaces surfaces;                    ///< Ideal
@@ -21,7 +21,7 @@ struct PreparedScene {
 
 PreparedScene prepare(const ReferenceScene& scene);
 
-/// What the eye sees of its ray through pixel x, y: metres from depth 0.
+/// The visible part of the ray through pixel x, y: metres from depth 0.
 Span visible(const PreparedScene& prepared, const ViewRay& ray, int x, int y);
 
 struct Pixel {

@@ -1,8 +1,8 @@
-// Adaptive quadrature of smooth functions that are nowhere negative.
+// Adaptive quadrature of smooth functions with values of 0 or more.
 //
 // Gauss-Kronrod pairs (A. S. Kronrod 1965; R. Piessens et al., QUADPACK, 1983): the Kronrod sum is the value, its
-// distance from the embedded Gauss sum the error. That distance is the error of the *lower* rule, so it
-// overstates by orders of magnitude what is lost, and is used as the bound as it stands.
+// distance from the embedded Gauss sum the error. That distance is the error of the *lower* rule, so it overstates the
+// error by orders of magnitude, and serves as the bound.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct Quadrature {
     std::uint64_t evaluations = 0;
 };
 
-/// Half of a symmetric Gauss-Kronrod pair on [-1, 1]: node 0 is the middle. Gauss weights are 0 where the
-/// node is Kronrod's alone.
+/// Half of a symmetric Gauss-Kronrod pair on [-1, 1]: node 0 is the middle. A node that only Kronrod's rule uses has
+/// the Gauss weight 0.
 struct KronrodNode {
     double x, kronrod, gauss;
 };
@@ -59,13 +59,13 @@ Quadrature applyPair(const KronrodNode (&nodes)[N], const F& f, double a, double
     return {half * kronrod, glm::abs(half * (kronrod - gauss)), 2 * N - 1};
 }
 
-/// Integral of `f` over [a, b] to the relative error `accuracy` in every channel, if it can be had: the piece with the
-/// largest error is halved until all together are good enough, until `most` pieces are there, or until halving has
-/// stopped helping, as it does where rounding is all that is left. What is not reached shows in `error`.
+/// Integral of `f` over [a, b] to the relative error `accuracy` in every channel, if possible: the piece with the
+/// largest error is halved until the sum is accurate enough, until there are `maxPieces` pieces, or until halving no
+/// longer helps because only rounding is left. `error` holds the error reached.
 ///
-/// Because nothing is negative, integrals that are each as accurate as asked for add up to one that is.
+/// Because values are 0 or more, a sum of integrals has at most the largest of their relative errors.
 template <class F>
-Quadrature integrate(const F& f, double a, double b, double accuracy, std::size_t most = 500) {
+Quadrature integrate(const F& f, double a, double b, double accuracy, std::size_t maxPieces = 500) {
     const auto accurate = [accuracy](const Quadrature& q) {
         return glm::all(glm::lessThanEqual(q.error, accuracy * glm::abs(q.value)));
     };
@@ -82,7 +82,7 @@ Quadrature integrate(const F& f, double a, double b, double accuracy, std::size_
         bool operator<(const Piece& other) const { return rank < other.rank; }
     };
     const auto piece = [&](double from, double to, const Quadrature& q) {
-        double rank = 0.0;  // its worst channel, as a share of that channel's whole
+        double rank = 0.0;  // error of its worst channel, as a share of that channel's sum
         for (int c = 0; c < 3; ++c)
             if (total.value[c] != 0.0) rank = std::max(rank, q.error[c] / std::abs(total.value[c]));
         return Piece{from, to, rank, q};
@@ -90,7 +90,7 @@ Quadrature integrate(const F& f, double a, double b, double accuracy, std::size_
     constexpr std::size_t patience = 16;
     std::vector<Piece> heap{piece(a, b, total)};
     double best = heap.front().rank;
-    for (std::size_t idle = 0; heap.size() < most && idle < patience && !accurate(total);) {
+    for (std::size_t idle = 0; heap.size() < maxPieces && idle < patience && !accurate(total);) {
         std::pop_heap(heap.begin(), heap.end());
         const Piece worst = heap.back();
         heap.pop_back();
@@ -102,7 +102,7 @@ Quadrature integrate(const F& f, double a, double b, double accuracy, std::size_
         heap.push_back(piece(middle, worst.b, right));
         std::push_heap(heap.begin(), heap.end());
 
-        // Summed anew: what is added and taken away again leaves its rounding behind.
+        // Summed anew: adding and subtracting the same value leaves rounding behind.
         const std::uint64_t evaluations = total.evaluations + left.evaluations + right.evaluations;
         total = {};
         double rank = 0.0;

@@ -16,17 +16,17 @@ namespace {
 
 constexpr auto progressEvery = std::chrono::milliseconds(100);
 
-/// Rows handed out to threads; the calling thread waits and reports.
+/// Distributes rows to threads; the calling thread waits and reports.
 class Rows {
 public:
-    /// Of one row; it should end early once it is told to stop.
+    /// Computes one row; it should end early once its token requests a stop.
     using Work = std::function<void(int row, const std::atomic<bool>& stop)>;
 
     Rows(int count, unsigned threads, const Work& work) : count_(count), work_(work) {
         for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
     }
 
-    /// False where `progress` stopped the work. Rethrows what a row threw.
+    /// False if `progress` stopped the work. Rethrows an exception of a row.
     bool wait(const std::function<bool(double)>& progress) {
         bool wanted = true;
         {
@@ -71,7 +71,7 @@ private:
     std::condition_variable changed_;
     std::size_t finished_ = 0;
     std::exception_ptr thrown_;
-    std::vector<std::jthread> threads_;  // last: they use the rest
+    std::vector<std::jthread> threads_;  // last: they use the other members
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace tyndall::study {
 namespace {
 
-// sqrt(h^2 + s^2) + s, where s may be negative and almost cancel.
+// sqrt(h^2 + s^2) + s without cancellation for negative s.
 double distancePlus(double h, double s) {
     const double d = std::hypot(h, s);
     return s < 0.0 ? h * (h / (d - s)) : d + s;
@@ -42,8 +42,8 @@ void Scattering::addBreakpoints(std::vector<double>& places, Span span) const {
     const auto add = [&](double s) {
         if (s > span.begin && s < span.end) places.push_back(s);
     };
-    // The peak lies where the ray leads straight to the lamp, or away from it, and is 1 - |g| radians wide: an angle
-    // `a` off that direction is met at h / tan(a) from the foot.
+    // The peak lies where the ray points towards the lamp, or away from it, and is 1 - |g| radians wide. The ray has an
+    // angle `a` to that direction at h / tan(a) from the foot.
     if (strength_ > 0.0)
         for (double a = 1.0 - strength_; a < 0.5 * std::numbers::pi; a *= 4.0) add(-sign_ * distance_ / std::tan(a));
     // path(s) - footLength = c at s = (c^2 - h^2) / (2 c); it grows with s.
@@ -58,10 +58,11 @@ void Scattering::addBreakpoints(std::vector<double>& places, Span span) const {
 
 double Scattering::conditioning(Span span) const {
     if (none()) return 0.0;
-    // exp(-x) is off by x times what x is off by, and 0 where x is large. Each way is at most path() long.
+    // The error of exp(-x) is x times the relative error of x; for large x the value is 0. Both paths are at most
+    // path() long.
     const double fall = std::min(extinction_ * path(span.end), darkest);
-    // The base is off by the angle from the lamp times its derivative, and at least (1 - |g|)^2: 3 |g| / (1 - |g|).
-    // Angles are off by what rounding leaves of the eye's place, seen from the lamp.
+    // The base's error is the error of the angle times its derivative; the base is at least (1 - |g|)^2: 3 |g| / (1 -
+    // |g|). The error of angles is the rounding of the eye's position, seen from the lamp.
     const double nearest = std::max({span.begin, -span.end, 0.0});
     const double lengths = std::abs(footLength_) + std::max(std::abs(span.begin), std::abs(span.end)) + distance_;
     const double angle = lengths / std::hypot(distance_, nearest);

@@ -1,4 +1,4 @@
-// How air that is neither even nor clear changes what a ray gathers: phase function and transmittance.
+// The scattering term along a ray: phase function and transmittance.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace tyndall::study {
 
-/// phase * transmittance along one ray, relative to air that scatters evenly and takes no light away:
+/// phase * transmittance along one ray, relative to air that scatters evenly and absorbs nothing:
 ///
 ///   phase = (1 - g^2) / (1 + g^2 - 2 g cos)^(3/2)      (L. Henyey, J. Greenstein, Astrophysical Journal 93, 1941,
 ///                                                       times 4 pi: 1 for g = 0)
 ///   transmittance = exp(-extinction * (lamp to particle + particle to eye))
 ///
-/// cos is that of the angle by which light turns, so with s from the ray's foot it is -s / sqrt(h^2 + s^2): every
+/// cos belongs to the angle by which light turns. With s from the ray's foot it is -s / sqrt(h^2 + s^2), because every
 /// particle sends its light back along the ray.
 class Scattering {
 public:
@@ -24,12 +24,12 @@ public:
 
     double at(double s) const;
 
-    /// Adds the places within `span` between which the factor changes smoothly on the scale of the stretch: around
-    /// the phase function's peak, and where the transmittance has fallen to exp(-1), exp(-2), exp(-4) and so on of
-    /// what it is at the span's begin. In no order.
+    /// Adds breakpoints within `span`, in no order; between them the factor is smooth on the scale of the stretch. They
+    /// lie around the phase function's peak, and where the transmittance is exp(-1), exp(-2), exp(-4) and so on of its
+    /// value at the span's begin.
     void addBreakpoints(std::vector<double>& places, Span span) const;
 
-    /// What rounding leaves of at() within `span`, in units of the rounding of a few operations, relative.
+    /// Relative rounding error of at() within `span`, in units of the rounding of a few operations.
     double conditioning(Span span) const;
 
 private:

@@ -1,4 +1,4 @@
-// Which stretches of a ray the lamp reaches.
+// The stretches of a ray that the lamp lights, by a shadow map.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace tyndall::study {
 
-/// A stretch that is not wholly dark. All four corners lit is full light; otherwise the stretch lies within one
-/// cell of the shadow map, and the light that comes through is the weight of the lit corners.
+/// A lit or partly lit stretch. It is in full light if all four corners are lit; otherwise it lies within one cell of
+/// the shadow map, and its light is the weight of the lit corners.
 struct LitSpan {
     Span span;
     std::array<bool, 4> corners{true, true, true, true};
@@ -21,14 +21,14 @@ struct LitSpan {
 /// A shadow map with its stored depths turned back into metres along the light's axis.
 struct ShadowMap {
     Texture stored;
-    std::vector<double> reach;  ///< by texel: what lies at or before this axis distance is lit
+    std::vector<double> maxLitAxis;  ///< by texel: points up to this distance along the axis are lit
 };
 
 /// `stored` reversed depth, as lightClipFromLight() projects it; `bias` metres.
 ShadowMap shadowMap(const Light& light, Texture stored, double bias);
 
-/// Comparison first, bilinear filter after: the light that four texels let through. `path` is the map's.
-/// Neighbouring stretches in full light are joined. In order, without overlap.
+/// The light that four texels let through: compared first, then filtered bilinearly. `path` is the map's. Neighbouring
+/// stretches in full light are joined. In order, without overlap.
 void litSpans(std::vector<LitSpan>& lit, const ShadowMap& map, const TexelPath& path, const LightRay& ray, Span span);
 
 }  // namespace tyndall::study

@@ -24,7 +24,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// Drops hits on the back of a one-sided triangle: nobody sees it, as glTF has it.
+// Drops hits on the back of a one-sided triangle: as in glTF, it is invisible.
 void keepVisible(const RTCFilterFunctionNArguments* arguments) {
     const auto& triangles = *static_cast<const std::vector<Triangle>*>(arguments->geometryUserPtr);
     for (unsigned i = 0; i < arguments->N; ++i) {
@@ -94,7 +94,7 @@ double Surfaces::firstHit(const ViewRay& ray, double begin, double end) const {
     const Triangle& t = impl_->triangles[query.hit.primID];
     const glm::dvec3 normal = glm::cross(t.b - t.a, t.c - t.a);
     const double distance = glm::dot(normal, t.a - ray.origin) / glm::dot(normal, ray.direction);
-    // A triangle seen exactly edge on has no plane to speak of: then Embree's distance has to do.
+    // A triangle seen exactly edge on gives no plane; Embree's distance is used then.
     return std::isfinite(distance) ? std::clamp(distance, begin, end) : static_cast<double>(query.ray.tfar);
 }
 

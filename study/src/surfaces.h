@@ -1,4 +1,4 @@
-// Where view rays end and what stands between a lamp and a point: ray casting with Embree.
+// Ray casting with Embree: the ends of view rays, and visibility between a lamp and a point.
 #pragma once
 
 #include <study/reference.h>
@@ -10,7 +10,7 @@
 
 namespace tyndall::study {
 
-/// Triangles for ray casting. They are kept relative to the eye: Embree's floats resolve what is near it best.
+/// Triangles for ray casting. They are stored relative to the eye, where Embree's floats resolve best.
 class Surfaces {
 public:
     Surfaces(const View& view, const std::vector<Triangle>& triangles);
@@ -19,10 +19,10 @@ public:
     ~Surfaces();
 
     /// Metres along the ray from depth 0 to the first surface that can be seen from there, between `begin` and
-    /// `end` metres; infinite where there is none. Embree names the triangle, doubles give the distance.
+    /// `end` metres; infinite if there is none. Embree finds the triangle; its distance is computed in doubles.
     double firstHit(const ViewRay& ray, double begin, double end) const;
 
-    /// Whether any triangle, from whichever side, stands between two points of view space.
+    /// Whether any triangle, from either side, lies between two points of view space.
     bool blocked(const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:

@@ -12,7 +12,7 @@ namespace tyndall::study {
 
 enum class Address { Clamp, Wrap };
 
-/// A texture's coordinates along a ray, in texels and so that whole numbers are texel centres.
+/// A texture's coordinates along a ray, in texels; whole numbers are texel centres.
 struct TexelPath {
     ProjectedCoordinate x, y;
 };
@@ -20,8 +20,8 @@ struct TexelPath {
 /// `uv` in repeats of the texture; see ProjectedCoordinate.
 TexelPath texelPath(const Texture& texture, const Projected& uv);
 
-/// Adds every place within `span` where the path crosses a line of texel centres, in no order. Clamped, lines
-/// beyond the first and last centre are left out: nothing changes there.
+/// Adds every position within `span` where the path crosses a line of texel centres, in no order. A clamped texture is
+/// constant beyond its first and last centre, so lines there are left out.
 void addCrossings(std::vector<double>& places, const TexelPath& path, const Texture& texture, Address address,
                   Span span);
 
@@ -29,7 +29,7 @@ void addCrossings(std::vector<double>& places, const TexelPath& path, const Text
 /// Filtering"), with weights in full precision.
 class Cell {
 public:
-    /// The cell that the path is in at `s`. `texture` must outlive it.
+    /// The cell that holds the path's point at `s`. `texture` must outlive it.
     Cell(const Texture& texture, const TexelPath& path, Address address, double s);
 
     /// Texels at the cell's (left, top), (right, top), (left, bottom), (right, bottom).
@@ -39,8 +39,8 @@ public:
     int column(int i) const { return x_[i & 1]; }
     int row(int i) const { return y_[i >> 1]; }
 
-    /// Weights of the four corners at `s`; `reciprocal` is that of the path's denominator there, which all textures
-    /// of a light share.
+    /// Weights of the four corners at `s`; `reciprocal`: 1 over the path's denominator there, which all textures of a
+    /// light share.
     std::array<double, 4> weights(double s, double reciprocal) const {
         const double fx = (path_.x.n0 + path_.x.n1 * s) * reciprocal - left_;
         const double fy = (path_.y.n0 + path_.y.n1 * s) * reciprocal - top_;
@@ -51,7 +51,7 @@ public:
                weight[3] * corner(3, channel);
     }
 
-    /// Whether all four texels are alike in the first `channels` channels.
+    /// Whether all four texels are equal in the first `channels` channels.
     bool uniform(int channels) const;
 
 private:

@@ -26,7 +26,7 @@ TriangleTree::TriangleTree(std::vector<Corners> triangles) : triangles_(std::mov
     if (!triangles_.empty()) build(0, static_cast<std::uint32_t>(triangles_.size()));
 }
 
-// Halves at the median of the longest axis: balanced, so the depth is bounded whatever the scene.
+// Halves at the median of the longest axis: the tree is balanced, so its depth is bounded.
 void TriangleTree::build(std::uint32_t first, std::uint32_t count) {
     Node node{glm::dvec3(std::numeric_limits<double>::infinity()), glm::dvec3(-std::numeric_limits<double>::infinity()),
               first, count, 0};

@@ -1,4 +1,4 @@
-// Triangles in a bounding volume hierarchy, asked which of them may touch a planar wedge.
+// A bounding volume hierarchy that finds the triangles which may touch a convex region.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ public:
 
     const std::vector<Corners>& triangles() const { return triangles_; }
 
-    /// Adds the index of every triangle whose leaf box is not wholly outside of one of the half spaces: all that
-    /// touch the region, and some that do not.
+    /// Adds the index of every triangle that touches the region, and of some others: it skips a leaf only if one of the
+    /// half spaces excludes its whole box.
     void find(std::span<const HalfSpace> region, std::vector<std::uint32_t>& found) const;
 
 private:

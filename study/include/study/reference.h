@@ -7,9 +7,8 @@
 //   transmittance = exp(-extinction * (distance lamp to particle + distance particle to eye)),
 //
 // in double precision, without slices. g is Light::anisotropy; extinction is density / Light::albedo, or 0 without
-// an albedo, and is that of evenly filled air: noise does not change it. Of parallel rays the way to the eye begins
-// at depth 0. It shares no code with the renderer: of runtime/ it knows the plain
-// structs Light and View alone.
+// an albedo, and is that of evenly filled air: noise does not change it. With parallel rays the path to the eye ends at
+// depth 0. The reference shares no code with the renderer: it uses only the plain structs Light and View of plan/.
 #pragma once
 
 #include <study/texture.h>
@@ -34,11 +33,11 @@ enum class Mode {
 /// One corner after the other, world space, metres. Counter-clockwise as seen from its front.
 struct Triangle {
     glm::dvec3 a, b, c;
-    bool bothSides = false;  ///< hides what is behind it from either side; it always throws a shadow
+    bool bothSides = false;  ///< visible from both sides; every triangle throws a shadow
 };
 
-/// Half angles in radians: full light within `inner`, none beyond `outer`, the falloff of KHR_lights_punctual
-/// between. 0 <= inner <= outer < pi / 2.
+/// Half angles in radians: full light within `inner`, no light beyond `outer`, and the falloff of KHR_lights_punctual
+/// between them. 0 <= inner <= outer < pi / 2.
 struct Cone {
     double inner = 0.0, outer = 0.0;
 };
@@ -46,8 +45,8 @@ struct Cone {
 /// Light::cookie, ::shadow and ::noise say which terms a light has; textures of the others may be empty.
 struct ReferenceLight {
     Light light;
-    Texture cookie;            ///< linear colour, at least three channels; bilinear, clamped
-    std::optional<Cone> cone;  ///< times the cookie, exactly; a renderer that bakes it into a texture has an error
+    Texture cookie;            ///< linear colour, three channels or more; bilinear, clamped
+    std::optional<Cone> cone;  ///< multiplies the cookie, exactly; a renderer that bakes it into a texture has an error
     Texture noise;             ///< red and green carry the two maps; bilinear, wrapped
     Texture shadowMap;         ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
                                ///< comparison comes first, then the bilinear filter, clamped
@@ -55,33 +54,33 @@ struct ReferenceLight {
 
 struct ReferenceScene {
     Mode mode = Mode::Ideal;
-    View view;  ///< its sceneDepth is not looked at
+    View view;  ///< its sceneDepth is ignored
     int width = 0, height = 0;
     double time = 0.0;  ///< seconds; scrolls the noise
     std::vector<ReferenceLight> lights;
     std::vector<Triangle> triangles;  ///< Ideal
     Texture depth;                    ///< Hardware: width x height, one channel, stored depth as view.clipFromView
-                                      ///< projects it, the far plane's value where nothing was drawn; may be empty
+                                      ///< projects it, with the far plane's value in empty pixels; may be empty
     double shadowBias = 0.0;          ///< Hardware: as PlanOptions::shadowBias
 };
 
 struct ReferenceOptions {
-    double accuracy = 1e-8;  ///< relative error asked for at each pixel and channel; at least 1e-12
+    double accuracy = 1e-8;  ///< maximum relative error at each pixel and channel; 1e-12 or more
     unsigned threads = 0;    ///< 0: one for each processor; the picture does not depend on it
-    /// Called now and then from the calling thread with the share done, 0 to 1; false stops the work.
+    /// Called repeatedly on the calling thread with the share done, 0 to 1; false stops the work.
     std::function<bool(double)> progress;
 };
 
 struct ReferenceImage {
     int width = 0, height = 0;
     std::vector<glm::dvec3> radiance;  ///< rows from the top
-    std::vector<double> bound;         ///< of each pixel's relative error, the worst channel's, as estimated
-    double largestBound = 0.0;         ///< of all pixels: the accuracy achieved
-    std::uint64_t evaluations = 0;     ///< of the integrand
+    std::vector<double> bound;         ///< estimated bound of each pixel's relative error, in its worst channel
+    double largestBound = 0.0;         ///< maximum over all pixels: the accuracy achieved
+    std::uint64_t evaluations = 0;     ///< number of evaluations of the integrand
 };
 
-/// Errors, one sentence each: a light, view or texture that breaks what is stated above; an image without
-/// pixels; "interrupted" where `progress` said so.
+/// Errors, one sentence each: a light, view or texture that breaks a rule stated above; an image without pixels;
+/// "interrupted" if `progress` returned false.
 Result<ReferenceImage> reference(const ReferenceScene& scene, const ReferenceOptions& options = {});
 
 }  // namespace tyndall::study
