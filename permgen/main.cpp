@@ -1,5 +1,5 @@
-// The program: command line in, files and diagnostics out. Exit status 0: done, 1: the work failed and
-// standard error says why, 2: the command line is wrong.
+// The program: command line in, files and diagnostics out. Exit status 0: done; 1: the work failed, with the reason on
+// standard error; 2: the command line is wrong.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -58,7 +58,7 @@ void add_source_options(CLI::App& command, Options& options) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->check(CLI::Validator(check_define, ""));
     constexpr int max_jobs = 1024;
-    command.add_option("--jobs", options.jobs, "how many entry points to compile at a time; default: processors")
+    command.add_option("--jobs", options.jobs, "entry points to compile at a time; default: number of processors")
         ->type_name("N")
         ->check(CLI::Range(1, max_jobs));
 }
@@ -87,7 +87,7 @@ std::optional<permgen::Program> build(const Options& options) {
     return program;
 }
 
-/// Why these files must not be written: one would replace a file that was read, or another output.
+/// The reason not to write these files: one would replace a file that was read, or another output.
 std::string collision(const std::vector<permgen::OutputFile>& files, const std::vector<std::string>& read) {
     std::error_code ignored;  // a file that does not exist yet cannot be another file
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -135,7 +135,7 @@ Status list(const Options& options) {
 }
 
 Status run(int argc, char** argv) {
-    CLI::App app("permgen: one shader with switches and techniques in, SPIR-V with specialization constants out",
+    CLI::App app("permgen: compiles an effect with switches and techniques to SPIR-V with specialization constants",
                  "permgen");
     app.set_version_flag("--version", std::string("permgen ") + PERMGEN_VERSION);
     app.require_subcommand(1);
@@ -143,7 +143,7 @@ Status run(int argc, char** argv) {
 
     CLI::App* compile_command = app.add_subcommand("compile", "write NAME.fx.h, NAME.fx.json and the .spv files");
     add_source_options(*compile_command, options);
-    compile_command->add_option("-o", options.folder, "folder to write to; made where it is missing")
+    compile_command->add_option("-o", options.folder, "folder to write to; made if it is missing")
         ->type_name("DIR")
         ->required()
         ->check(CLI::Validator(check_not_empty, ""));
@@ -154,7 +154,7 @@ Status run(int argc, char** argv) {
     compile_command->add_option("--depfile", options.depfile, "write the files that were read, in Make's syntax")
         ->type_name("F");
 
-    CLI::App* list_command = app.add_subcommand("list", "say which techniques there are and what they need");
+    CLI::App* list_command = app.add_subcommand("list", "list the techniques and what they need");
     add_source_options(*list_command, options);
     list_command->add_flag("--json", options.json, "as JSON");
 
@@ -169,7 +169,7 @@ Status run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // Writing past a size limit or into a closed pipe is an error to report, not a reason to die halfway.
+    // Writing past a size limit or into a closed pipe must be reported as an error; by default it ends the process.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     try {

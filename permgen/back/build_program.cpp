@@ -44,7 +44,7 @@ std::vector<ReflectedMember> members_of(const Reflection& reflection, const std:
     return members;
 }
 
-/// Sizes and members of the blocks, which have to be the same in every module that has them.
+/// Sizes and members of the blocks; they must agree in all modules.
 void describe_blocks(Program& program, Diagnostics& diagnostics) {
     for (const LoweredResource& resource : program.effect.resources) {
         std::uint32_t size = 0;

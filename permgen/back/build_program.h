@@ -13,7 +13,7 @@ struct BuildOptions {
     WorkerLimits limits;
 };
 
-/// Nothing where `diagnostics` holds an error afterwards. The result does not depend on `options`.
+/// Empty if `diagnostics` holds an error afterwards. The result does not depend on `options`.
 std::optional<Program> build_program(Lowered effect, const BuildOptions& options, Diagnostics& diagnostics);
 
 }  // namespace permgen

@@ -55,7 +55,7 @@ private:
         out_.push_back(
             {Severity::Error, "PG056", place.file.empty() ? module_.place : place,
              "entry point '" + module_.author_entry + "': " + what +
-                 "; the shader compiler gave it another meaning, this is a fault of permgen, please report it"});
+                 "; the shader compiler changed its meaning; this is a fault of permgen, please report it"});
     }
     bool is_builtin(const LoweredAttribute& attribute, Direction direction, std::uint32_t kind) const {
         return attribute.builtin && std::any_of(std::begin(builtins), std::end(builtins), [&](const Builtin& builtin) {
@@ -76,7 +76,7 @@ void Checker::variables(const std::vector<LoweredAttribute>& intended, const std
             if (std::none_of(intended.begin(), intended.end(), [&](const LoweredAttribute& attribute) {
                     return is_builtin(attribute, direction, variable.builtin_kind);
                 }))
-                fault({}, word + " '" + variable.name + "' became a system value that nothing asked for");
+                fault({}, word + " '" + variable.name + "' became a system value by mistake");
             continue;
         }
         const auto meant = std::find_if(intended.begin(), intended.end(), [&](const LoweredAttribute& attribute) {
@@ -84,11 +84,11 @@ void Checker::variables(const std::vector<LoweredAttribute>& intended, const std
         });
         const std::string location = "location " + std::to_string(variable.location);
         if (meant == intended.end())
-            fault({}, word + " '" + variable.name + "' came out at " + location + ", where none was meant to be");
+            fault({}, word + " '" + variable.name + "' is at " + location + " by mistake");
         else if (meant->components != variable.components || meant->type != variable.type)
             fault(meant->place, word + " " + meant->semantic + " at " + location + " is " +
                                     type_name(variable.type, variable.components) + ", but " +
-                                    type_name(meant->type, meant->components) + " was meant");
+                                    type_name(meant->type, meant->components) + " was intended");
     }
     for (const LoweredAttribute& attribute : intended) {
         const bool found = std::any_of(actual.begin(), actual.end(), [&](const ReflectedVariable& variable) {
@@ -109,11 +109,11 @@ void Checker::resources(const std::vector<LoweredResource>& intended,
         const std::string slot =
             "set " + std::to_string(resource.set) + ", binding " + std::to_string(resource.binding);
         if (meant == intended.end() || meant->name != resource.name)
-            fault({}, "resource '" + resource.name + "' came out at " + slot + ", where it was not meant to be");
+            fault({}, "resource '" + resource.name + "' is at " + slot + " by mistake");
         else if (meant->kind != resource.kind || meant->dimension != resource.dimension)
             fault(meant->place, "resource '" + resource.name + "' at " + slot + " is a " +
                                     resource_name(resource.kind, resource.dimension) + ", but a " +
-                                    resource_name(meant->kind, meant->dimension) + " was meant");
+                                    resource_name(meant->kind, meant->dimension) + " was intended");
     }
 }
 
@@ -121,7 +121,7 @@ void Checker::switches(const std::vector<ReflectedConstant>& actual) const {
     for (const ReflectedConstant& constant : actual)
         if (std::none_of(module_.axes.begin(), module_.axes.end(),
                          [&](const LoweredAxis& axis) { return axis.id == constant.id && axis.type == constant.type; }))
-            fault({}, "specialization constant " + std::to_string(constant.id) + " was not meant to be");
+            fault({}, "specialization constant " + std::to_string(constant.id) + " was not intended");
     for (const LoweredAxis& axis : module_.axes)
         if (std::none_of(actual.begin(), actual.end(),
                          [&](const ReflectedConstant& constant) { return constant.id == axis.id; }))
@@ -130,7 +130,7 @@ void Checker::switches(const std::vector<ReflectedConstant>& actual) const {
 
 void Checker::entry(const Reflection& actual) const {
     if (actual.entry != module_.entry || actual.stage != module_.stage)
-        fault({}, "its entry came out as '" + actual.entry + "'");
+        fault({}, "its entry point became '" + actual.entry + "'");
 }
 
 }  // namespace

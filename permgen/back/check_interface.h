@@ -1,5 +1,5 @@
-// Intended against actual: glslang accepts much that it then gives another meaning (an input at another
-// location, a sampler of another dimension). What came out must be what lowering meant.
+// Compares the intended interface with the actual one: glslang accepts some code and changes its meaning (an input at
+// another location, a sampler of another dimension).
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace permgen {
 
-/// Empty when the module's interface is the intended one. Inputs and resources may be missing (unused ones
-/// are dropped); outputs and switches may not.
+/// Empty when the module's interface is the intended one. Inputs and resources may be missing, because unused ones are
+/// dropped. Outputs and switches must be there.
 Diagnostics check_interface(const LoweredModule& module, const std::vector<LoweredResource>& resources,
                             const Reflection& actual);
 

@@ -29,7 +29,7 @@ CompileResult compile_hlsl(Stage stage, const std::string& entry, const std::str
     shader.setSourceEntryPoint(entry.c_str());
     shader.setEnvInput(glslang::EShSourceHlsl, language, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
-    // SPIR-V 1.3 is what every Vulkan 1.1 device takes; nothing that HLSL of this kind says needs more.
+    // Every Vulkan 1.1 device accepts SPIR-V 1.3, and HLSL of this kind needs no more.
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
 
     CompileResult result;
@@ -45,7 +45,7 @@ CompileResult compile_hlsl(Stage stage, const std::string& entry, const std::str
     if (!linked) return result;
 
     glslang::SpvOptions options;
-    options.disableOptimizer = true;  // dead code goes when switches are set, see specialize.h
+    options.disableOptimizer = true;  // specialize.h removes dead code once switches are set
     spv::SpvBuildLogger logger;
     glslang::GlslangToSpv(*program.getIntermediate(language), result.code, &logger, &options);
     result.log += logger.getAllMessages();

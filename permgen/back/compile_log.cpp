@@ -42,7 +42,7 @@ std::optional<int> take_number(std::string_view& text) {
     return value;
 }
 
-/// "ERROR: 0:12: 'token' : text": string 0 is the only one we give.
+/// "ERROR: 0:12: 'token' : text": string 0 is the only input.
 std::optional<Complaint> parse_complaint(std::string_view line) {
     Complaint complaint;
     if (take_prefix(line, "WARNING: "))
@@ -55,7 +55,7 @@ std::optional<Complaint> parse_complaint(std::string_view line) {
         complaint.line = *number;
     }
     line = trim(line);
-    if (line.ends_with("No code generated.")) return std::nullopt;  // a count of what has been said
+    if (line.ends_with("No code generated.")) return std::nullopt;  // a summary of the other messages
     if (line.starts_with('\'')) {
         const std::size_t end = line.find("' :");
         if (end != std::string_view::npos) {
@@ -111,7 +111,7 @@ std::string token_ending_at(const std::string& line, int column) {
     return line.substr(begin, end - begin);
 }
 
-/// Where the lowered line's token stands in the author's line; 0 where it cannot be told.
+/// The column of the lowered line's token in the author's line; 0 if unknown.
 int author_column(const std::string& author, const std::string& lowered, const std::string& token, int lowered_end) {
     const auto there = occurrences(author, token);
     const auto here = occurrences(lowered, token);
@@ -137,7 +137,7 @@ SourceLocation author_place(const LoweredModule& module, const Complaint& compla
     const std::string author = nth_line(file, place.line);
     std::istringstream text(module.hlsl);
     const std::string lowered = nth_line(text, complaint.line);
-    // What is expected is not there, or not where it is missing.
+    // The parser stops after the position where the expected token is missing.
     int column = is_syntax_error(complaint) ? 0 : author_column(author, lowered, complaint.token, 0);
     if (column == 0 && stop && stop->line == complaint.line)
         column = author_column(author, lowered, token_ending_at(lowered, stop->column), stop->column);
@@ -170,8 +170,8 @@ Diagnostics read_compile_log(const std::string& log, const LoweredModule& module
             complaints.push_back(std::move(*complaint));
     }
 
-    // A function that does not compile makes the generated wrapper, which calls it, fail as well: that is
-    // no news where the author's own lines were named.
+    // A function that fails to compile makes the generated wrapper, which calls it, fail as well. That error is dropped
+    // if the author's own lines have one.
     const auto is_authors = [&](const Complaint& complaint) {
         const std::size_t index = static_cast<std::size_t>(complaint.line) - 1;
         return complaint.line > 0 && index < module.line_map.size() && !module.line_map[index].file.empty();

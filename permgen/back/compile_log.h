@@ -8,8 +8,8 @@
 
 namespace permgen {
 
-/// One diagnostic for each mistake. Later complaints about the same line follow from the first one and are
-/// left out, as are the front end's counts and its last line.
+/// One diagnostic for each mistake. Later errors in the same line follow from the first one. They are dropped, like the
+/// front end's summary and its last line.
 Diagnostics read_compile_log(const std::string& log, const LoweredModule& module);
 
 }  // namespace permgen

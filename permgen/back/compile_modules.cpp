@@ -17,7 +17,7 @@ void put(std::string& out, const void* data, std::size_t bytes) {
     out.append(static_cast<const char*>(data), bytes);
 }
 
-/// The next piece, or an empty one where the text ends too early.
+/// The next piece, or an empty one if the text ends too early.
 std::string_view take(std::string_view& in) {
     std::uint64_t size = 0;
     if (in.size() < sizeof size) return {};

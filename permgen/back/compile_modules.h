@@ -1,4 +1,4 @@
-// Compiles every entry point of an effect, each in a worker of its own, and checks what came out.
+// Compiles every entry point of an effect, each in its own worker, and checks the result.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace permgen {
 
-/// What a worker sends back: SPIR-V, or why there is none.
+/// A worker's reply: SPIR-V, or the reason for a failure.
 struct WorkerReply {
     SpirvWords code;
     std::string log;
@@ -19,12 +19,12 @@ struct WorkerReply {
 std::string pack(const WorkerReply& reply);
 WorkerReply unpack(const std::string& packed);
 
-/// One CompiledModule for each of effect.modules, in that order. Appends to `diagnostics`; where that holds
-/// an error afterwards the modules concerned are empty.
+/// One CompiledModule for each of effect.modules, in that order. Appends to `diagnostics`; modules with an error are
+/// empty.
 std::vector<CompiledModule> compile_modules(const Lowered& effect, int jobs, const WorkerLimits& limits,
                                             Diagnostics& diagnostics);
 
-/// Appends those of `more` that say something new.
+/// Appends those of `more` that `diagnostics` does not hold yet.
 void append_new(Diagnostics& diagnostics, Diagnostics more);
 
 }  // namespace permgen

@@ -10,7 +10,7 @@
 namespace permgen {
 namespace {
 
-/// Result ids of boolean constants, and of vectors all of whose components are the same one.
+/// Result ids of boolean constants, and of vectors with equal components.
 std::unordered_map<std::uint32_t, bool> constant_conditions(std::span<const std::uint32_t> code) {
     std::unordered_map<std::uint32_t, bool> known;
     for_each_instruction(code, [&](const SpirvInstruction& instruction) {

@@ -1,4 +1,4 @@
-// The one rewrite that specialization needs and SPIRV-Tools offers only together with others.
+// A rewrite that specialization needs; SPIRV-Tools offers it only together with others.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 namespace permgen {
 
 /// Replaces every OpSelect whose condition is one constant (or a vector of equal constants) by a copy of
-/// the value it selects. True when it replaced any.
+/// the value it selects. True if it replaced any.
 bool fold_constant_selects(std::vector<std::uint32_t>& code);
 
 }  // namespace permgen

@@ -8,7 +8,7 @@
 
 namespace permgen {
 
-/// [technique][pass], as in `effect`; BuiltPass::live is left empty. `modules` as compile_modules() gave them.
+/// [technique][pass], as in `effect`; BuiltPass::live is left empty. `modules`: the result of compile_modules().
 std::vector<std::vector<BuiltPass>> freeze_passes(const Lowered& effect, const std::vector<CompiledModule>& modules,
                                                   int jobs, const WorkerLimits& limits, Diagnostics& diagnostics);
 

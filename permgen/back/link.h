@@ -1,4 +1,4 @@
-// The vertex stage must feed what the pixel stage reads.
+// The vertex stage must write every input of the pixel stage.
 #pragma once
 
 #include "back/reflect.h"
@@ -6,8 +6,8 @@
 
 namespace permgen {
 
-/// Checks one pass after its switches were set, so an input that only another technique reads does not
-/// count. Vulkan specification, "Interface Matching": same location and type, at least as many components.
+/// Checks one pass after its switches were set, so inputs that only other techniques read are ignored. Vulkan
+/// specification, "Interface Matching": same location and type, at least as many components.
 Diagnostics check_link(const LoweredPass& pass, const LoweredModule& vertex, const Reflection& vertex_actual,
                        const LoweredModule& pixel, const Reflection& pixel_actual);
 

@@ -1,5 +1,5 @@
-// An effect after compilation: the lowered effect, its SPIR-V, and what is alive in it. Plain data
-// between compile, specialize, link and emit.
+// An effect after compilation: the lowered effect, its SPIR-V, and its live resources. Plain data between compile,
+// specialize, link and emit.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct CompiledModule {
     Reflection reflection;
 };
 
-/// The same with a pass's switches set and the dead code gone; `code` empty: the pass has no such stage.
+/// The same with a pass's switches set and without dead code; `code` empty: the pass has no such stage.
 struct FrozenShader {
     SpirvWords code;
     Reflection reflection;

@@ -9,7 +9,7 @@
 namespace permgen {
 namespace {
 
-/// Thrown and caught in this file only: a module of a form that the tables cannot express.
+/// Thrown and caught in this file only: the tables cannot express the module.
 struct Unsupported : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -146,7 +146,7 @@ void Reader::add_interface(const SpirvModule::Variable& variable, std::vector<Re
     add_locations(name(variable.id), id, *location, out);
 }
 
-// Vulkan specification, "Offset and Stride Assignment": sizes follow from the strides written down.
+// Vulkan specification, "Offset and Stride Assignment": sizes follow from the declared strides.
 std::uint32_t Reader::byte_size(std::uint32_t id, std::uint32_t matrix_stride, bool row_major) const {
     const Declaration& type = declaration(id);
     switch (type.opcode) {

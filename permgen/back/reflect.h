@@ -56,8 +56,8 @@ struct Reflection {
     std::vector<ReflectedConstant> constants;  ///< by id
 };
 
-/// Reads a module that SPIRV-Tools found valid. Fails with a reason where the module has anything else
-/// than one vertex or pixel entry point, or a kind of resource that the tables cannot express.
+/// Reads a module that SPIRV-Tools found valid. Fails with a reason unless the module has exactly one entry point,
+/// vertex or pixel, and only resources that the tables can express.
 struct ReflectResult {
     std::optional<Reflection> reflection;
     std::string reason;

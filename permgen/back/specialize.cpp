@@ -8,9 +8,9 @@
 namespace permgen {
 namespace {
 
-// Constants are propagated through calls, locals and branches. Of SPIRV-Tools' passes those that rewrite
-// arithmetic (simplification, strength reduction) are left out: they merge multiplications by constants,
-// which changes the last bits.
+// Constants are propagated through calls, locals and branches. SPIRV-Tools' passes that rewrite arithmetic
+// (simplification, strength reduction) are left out: they merge multiplications by constants, which changes the last
+// bits.
 void register_passes(spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateWrapOpKillPass())
         .RegisterPass(spvtools::CreateMergeReturnPass())
@@ -49,7 +49,7 @@ SpecializeResult specialize(std::span<const std::uint32_t> code, const std::vect
             });
         add_passes(optimizer);
         spvtools::OptimizerOptions options;
-        options.set_run_validator(false);  // validate.h has its say before and after
+        options.set_run_validator(false);  // validate.h checks before and after
         std::vector<std::uint32_t> out;
         if (!optimizer.Run(result.code.data(), result.code.size(), &out, options)) return false;
         result.code = std::move(out);
@@ -65,8 +65,8 @@ SpecializeResult specialize(std::span<const std::uint32_t> code, const std::vect
             .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass());
         register_passes(optimizer);
     });
-    // `switch ? a : b` on values is a select, which only the simplification pass would fold. Folding one
-    // may settle a condition that guards another.
+    // `switch ? a : b` on values is a select, which only the simplification pass would fold. Folding one may decide the
+    // condition of another.
     while (good && fold_constant_selects(result.code)) good = run(register_passes);
     if (!good) {
         result.code.clear();

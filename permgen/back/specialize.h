@@ -1,5 +1,4 @@
-// Sets a module's switches for good and takes out what can no longer be reached: what is left is what the
-// technique needs.
+// Sets a module's switches permanently and removes unreachable code: the rest is what the technique needs.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +15,9 @@ struct SpecializeResult {
     std::string reason;
 };
 
-/// `constants` gives every switch of the module its value. The arithmetic of what survives is untouched
-/// (nothing is re-associated), so the result draws bit for bit what the module draws when specialized at
-/// pipeline creation. Inputs that are no longer read disappear; outputs all stay.
+/// `constants` gives every switch of the module its value. The remaining arithmetic is unchanged (no reassociation), so
+/// the result and the module specialized at pipeline creation draw the same picture, bit for bit. Unused inputs are
+/// removed; all outputs stay.
 SpecializeResult specialize(std::span<const std::uint32_t> code, const std::vector<LoweredConstant>& constants);
 
 }  // namespace permgen

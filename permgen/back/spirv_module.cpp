@@ -36,7 +36,7 @@ std::string spirv_literal(std::span<const std::uint32_t> operands, std::size_t f
 
 namespace {
 
-/// The author's name: lowering puts a prefix before words that glslang keeps for itself.
+/// The author's name, without the prefix that lowering adds to glslang's reserved words.
 std::string author_name(const std::string& name) {
     return name.starts_with(renamed_prefix) ? name.substr(renamed_prefix.size()) : name;
 }

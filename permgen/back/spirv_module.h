@@ -17,11 +17,11 @@ struct SpirvInstruction {
     std::span<const std::uint32_t> operands;  ///< the words after the first
 };
 
-/// Calls `visit` for each instruction in order; false where a length runs past the end.
+/// Calls `visit` for each instruction in order; false if a length exceeds the end.
 bool for_each_instruction(std::span<const std::uint32_t> code,
                           const std::function<void(const SpirvInstruction&)>& visit);
 
-/// The nul-terminated literal that starts at `operands[first]`; `next`, where given, gets the index after it.
+/// The nul-terminated literal that starts at `operands[first]`; `next`, if given, receives the index after it.
 std::string spirv_literal(std::span<const std::uint32_t> operands, std::size_t first, std::size_t* next = nullptr);
 
 /// The declarations of a module, by result id.
@@ -52,7 +52,7 @@ struct SpirvModule {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Decorations> member_decorations;
 };
 
-/// False where the words are no SPIR-V module.
+/// False if the words are not a SPIR-V module.
 bool parse_spirv(std::span<const std::uint32_t> code, SpirvModule& module);
 
 }  // namespace permgen

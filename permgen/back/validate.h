@@ -1,4 +1,4 @@
-// SPIR-V as Vulkan 1.3 wants it, by SPIRV-Tools' validator.
+// Checks SPIR-V for Vulkan 1.3 with SPIRV-Tools' validator.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace permgen {
 
-/// Empty when `code` is valid, else the validator's first complaint.
+/// Empty if `code` is valid, else the validator's first message.
 std::string validate_spirv(std::span<const std::uint32_t> code);
 
 }  // namespace permgen

@@ -74,7 +74,7 @@ void limit(decltype(RLIMIT_AS) resource, rlim_t value) {
 void prepare_child(const WorkerLimits& limits, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(exit_exception);
-    // A sanitizer or a host program may have handlers; here a crash has to be a crash.
+    // A sanitizer or a host program may have handlers; the worker must crash without them.
     for (const int fatal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT}) ::signal(fatal, SIG_DFL);
     ::signal(SIGPIPE, SIG_IGN);
     limit(RLIMIT_CORE, 0);
@@ -104,7 +104,7 @@ void prepare_child(const WorkerLimits& limits, pid_t parent) {
     ::_exit(status);  // no destructors: they belong to the parent
 }
 
-/// Empty with `error` = errno where there is no process or pipe to be had.
+/// Empty, with `error` = errno, if no process or pipe is available.
 std::unique_ptr<Child> start(std::size_t index, const WorkerLimits& limits,
                              const std::function<std::string(std::size_t)>& task, int& error) {
     int ends[2];
@@ -140,7 +140,7 @@ std::optional<std::string> whole_reply(const std::string& received) {
     return received.substr(frame_header);
 }
 
-/// Waits for a child that has closed its pipe; one that lingers past its deadline is killed.
+/// Waits for a child that has closed its pipe; kills it after its deadline.
 WorkerResult reap(Child& child) {
     int status = 0;
     bool timed_out = false;
@@ -148,7 +148,7 @@ WorkerResult reap(Child& child) {
         const pid_t ended = ::waitpid(child.pid, &status, timed_out ? 0 : WNOHANG);
         if (ended == child.pid) break;
         if (ended < 0 && errno == EINTR) continue;
-        if (ended < 0) {  // ECHILD: whoever started us ignores SIGCHLD, so the status is lost
+        if (ended < 0) {  // ECHILD: the parent process ignores SIGCHLD, so the status is lost
             status = 0;
             break;
         }
@@ -167,7 +167,7 @@ WorkerResult reap(Child& child) {
     return {WorkerEnd::Failed, WEXITSTATUS(status), {}};
 }
 
-/// True when the child has nothing more to say.
+/// True at the end of the child's output.
 bool drain(Child& child) {
     char buffer[65536];
     const ssize_t got = ::read(child.pipe, buffer, sizeof buffer);
@@ -185,7 +185,7 @@ void wait_for_news(const std::vector<std::unique_ptr<Child>>& running, std::vect
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     constexpr decltype(left) longest = 60'000;
-    // Interrupted by a signal, it leaves every revents 0: the deadlines are looked at, and it is asked again.
+    // A signal interrupts poll() and leaves every revents 0: check the deadlines, then poll again.
     ::poll(polled.data(), polled.size(), static_cast<int>(std::clamp<decltype(left)>(left, 0, longest)));
 }
 
@@ -196,15 +196,15 @@ std::vector<WorkerResult> run_workers(std::size_t count, int jobs, const WorkerL
     std::vector<WorkerResult> results(count);
     std::vector<std::unique_ptr<Child>> running;
     std::vector<pollfd> polled;
-    const std::size_t most = static_cast<std::size_t>(std::max(jobs, 1));
+    const std::size_t max_running = static_cast<std::size_t>(std::max(jobs, 1));
     std::size_t next = 0;
     while (next < count || !running.empty()) {
-        while (next < count && running.size() < most) {
+        while (next < count && running.size() < max_running) {
             int error = 0;
             if (auto child = start(next, limits, task, error)) {
                 running.push_back(std::move(child));
             } else if (!running.empty()) {
-                break;  // processes or files are short: try again when one of ours has ended
+                break;  // out of processes or files: try again after a child has ended
             } else {
                 results[next] = {WorkerEnd::NotStarted, error, {}};
             }

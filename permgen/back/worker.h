@@ -1,4 +1,4 @@
-// Work that may crash, hang or eat all memory, done in forked children of this process.
+// Runs work that may crash, hang or exhaust memory in forked children of this process.
 #pragma once
 
 #include <chrono>
@@ -16,12 +16,12 @@ struct WorkerLimits {
 };
 
 enum class WorkerEnd {
-    Done,         ///< `reply` is whole
+    Done,         ///< `reply` is complete
     Crashed,      ///< a signal ended it: `detail` is the signal
     TimedOut,     ///< it ran past WorkerLimits::wall and was killed
     OutOfMemory,  ///< it asked for more than WorkerLimits::memory
     Failed,       ///< it ended without an answer: `detail` is its exit status
-    NotStarted,   ///< no process or pipe could be had: `detail` is errno
+    NotStarted,   ///< no process or pipe was available: `detail` is errno
 };
 
 struct WorkerResult {
@@ -31,13 +31,13 @@ struct WorkerResult {
 };
 
 /// Runs task(0) … task(count - 1), each in a child of its own, at most `jobs` at a time, and returns their
-/// results in the order of the tasks. Changes that a task makes in memory stay in its child; its output is
-/// dropped. All children are gone when this returns. The calling process must not be
-/// running other threads that hold locks which a task needs.
+/// results in the order of the tasks. Changes that a task makes in memory stay in its child; its output is dropped. All
+/// children have ended when this returns. Other threads of the calling process must not hold locks that a task needs.
 std::vector<WorkerResult> run_workers(std::size_t count, int jobs, const WorkerLimits& limits,
                                       const std::function<std::string(std::size_t)>& task);
 
-/// "crashed (Segmentation fault)" and so on, to follow the name of what was being worked on; empty for Done.
+/// "crashed (Segmentation fault)" and so on, completes a sentence that begins with the name of the work; empty for
+/// Done.
 std::string describe_failure(const WorkerResult& result, const WorkerLimits& limits);
 
 /// The number of processors this process may use, at least 1.

@@ -1,4 +1,4 @@
-// The shader profiles that a `compile` may name. permgen compiles all of a stage's profiles alike.
+// The shader profiles that a `compile` may name. permgen treats all profiles of a stage the same.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
-// Every state of Direct3D 9 that D3DX reads from an effect: its name, what it takes, and what becomes of it here.
-// permgen checks effects against this table, the loader reads manifests with it, and the renderer asks it for
-// the values that it may leave alone.
+// Every state of Direct3D 9 that D3DX reads from an effect: its name, its values, and its support here. permgen checks
+// effects against this table, the loader reads manifests with it, and the renderer finds the values that it may ignore
+// in it.
 //
 // Sources: d3d9types.h for names and numbers; "Effect States (Direct3D 9)" in Microsoft's documentation for
 // the names that only effect files have.
@@ -24,9 +24,9 @@ enum class Scope : std::uint8_t {
 };
 
 enum class Support : std::uint8_t {
-    Mapped,  ///< the renderer does what the state says
+    Mapped,  ///< the renderer implements the state
     Fixed,   ///< every draw has the value StateRow::fixed; the renderer refuses any other
-    None,    ///< part of the fixed-function pipeline, or of a feature that is off: has no effect
+    None,    ///< no effect: part of the fixed-function pipeline, or of a disabled feature
 };
 
 struct StateRow {
@@ -249,7 +249,7 @@ constexpr bool same_word(std::string_view a, std::string_view b) {
     return true;
 }
 
-/// Null where Direct3D 9 has no state of that name. Letter case does not matter.
+/// Null if Direct3D 9 has no state of that name. Letter case does not matter.
 constexpr const StateRow* find_state(std::string_view name) {
     for (const StateRow& row : states)
         if (same_word(row.name, name)) return &row;
@@ -261,21 +261,21 @@ constexpr const StateRow& row_of(StateId id) {
     return states[static_cast<std::size_t>(id) - 1];
 }
 
-/// Null where the state has no value of that name. Letter case does not matter.
+/// Null if the state has no value of that name. Letter case does not matter.
 constexpr const NamedValue* find_value(const StateRow& row, std::string_view name) {
     for (const NamedValue& value : row.values)
         if (same_word(value.name, name)) return &value;
     return nullptr;
 }
 
-/// Null where the state has no named value of that number.
+/// Null if the state has no named value of that number.
 constexpr const NamedValue* find_value(const StateRow& row, std::uint32_t bits) {
     for (const NamedValue& value : row.values)
         if (value.bits == bits) return &value;
     return nullptr;
 }
 
-/// All named bits together: the largest value of a Flags state that Direct3D 9 knows by name.
+/// All named bits of a Flags state together.
 constexpr std::uint32_t all_bits(const StateRow& row) {
     std::uint32_t bits = 0;
     for (const NamedValue& value : row.values) bits |= value.bits;

@@ -7,9 +7,9 @@
 namespace permgen::d3d9 {
 
 struct NamedValue {
-    std::string_view name;  ///< upper case; effect files may use any
+    std::string_view name;  ///< upper case; effect files may use any case
     std::uint32_t bits;
-    bool drawn = true;  ///< false: Direct3D 9 has it, and Vulkan or the renderer does not
+    bool drawn = true;  ///< false: Vulkan or the renderer does not support it
 };
 
 namespace values {

@@ -1,4 +1,4 @@
-// A program as files. Same program, same bytes.
+// Turns a program into files. The same program gives the same bytes.
 #pragma once
 
 #include <string>
@@ -17,23 +17,23 @@ struct EmitOptions {
 /// NAME.fx.h, NAME.fx.json and the .spv files, with names relative to the output folder.
 std::vector<OutputFile> emit_files(const Program& program, const EmitOptions& options);
 
-/// NAME.fx.h: everything in permgen/tables.h, constexpr, and what emit_keys() adds.
+/// NAME.fx.h: all tables of permgen/tables.h, constexpr, and the output of emit_keys().
 std::string emit_header(const Program& program, const EmitOptions& options);
 
-/// The header's enum of techniques, and for each module with axes a key struct with its look-ups.
+/// The header's enum of techniques, and for each module with axes a key struct with its lookup functions.
 std::string emit_keys(const Program& program);
 
 /// NAME.fx.json: everything in the header, SPIR-V by file name.
 std::string emit_manifest(const Program& program, const EmitOptions& options);
 
-/// What Module::attributes lists: a vertex module's inputs, a pixel module's outputs, system values left out.
+/// The entries of Module::attributes: a vertex module's inputs, a pixel module's outputs, without system values.
 std::vector<LoweredAttribute> module_attributes(const LoweredModule& module);
 
-/// SPIR-V's file form: little-endian on every machine.
+/// The bytes of a SPIR-V file: little-endian on every machine.
 std::string spirv_bytes(const SpirvWords& code);
 
-/// "EFFECT.MODULE.spv", and "EFFECT.TECHNIQUE.PASS.STAGE.spv" for a frozen shader. The effect's name keeps
-/// two effects in one folder apart.
+/// "EFFECT.MODULE.spv", and "EFFECT.TECHNIQUE.PASS.STAGE.spv" for a frozen shader. The effect's name makes file names
+/// unique if a folder holds two effects.
 std::string module_file(const Program& program, std::size_t module);
 std::string frozen_file(const Program& program, std::size_t technique, std::size_t pass, Stage stage);
 

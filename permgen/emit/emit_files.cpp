@@ -3,7 +3,7 @@
 namespace permgen {
 namespace {
 
-/// What may stand in a file name anywhere; names in effects are identifiers, so this rarely changes one.
+/// Replaces characters that some file system forbids; names in effects are identifiers, so this rarely changes one.
 std::string file_safe(const std::string& name) {
     std::string safe;
     for (const char c : name) {
@@ -44,7 +44,7 @@ std::string module_file(const Program& program, std::size_t module) {
 }
 
 std::string frozen_file(const Program& program, std::size_t technique, std::size_t pass, Stage stage) {
-    // The number keeps passes of one name, or of none, apart.
+    // The number distinguishes passes with equal or empty names.
     const std::string& name = program.effect.techniques[technique].passes[pass].name;
     return file_safe(program.effect.name) + "." + file_safe(program.effect.techniques[technique].name) + "." +
            std::to_string(pass) + (name.empty() ? "" : "-" + file_safe(name)) +

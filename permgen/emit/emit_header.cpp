@@ -44,7 +44,7 @@ std::string_view dimension_enum(ImageDimension dimension) {
     return names[static_cast<int>(dimension)];
 }
 
-/// Writes the tables from the leaves up, since an object has to be there before another points to it.
+/// Writes the tables from the leaves up: an object must be declared before another points to it.
 class HeaderWriter {
 public:
     HeaderWriter(const Program& program, const EmitOptions& options) : program_(program), options_(options) {}
@@ -56,7 +56,7 @@ private:
         fmt::format_to(std::back_inserter(out_), format, std::forward<Arguments>(arguments)...);
         out_ += '\n';
     }
-    /// Opens an array, or returns false: an array cannot be empty, and a span of nothing is written {}.
+    /// Opens an array, or returns false: an array cannot be empty, and an empty span is written as {}.
     bool open(std::string_view type, const std::string& name, std::size_t count) {
         if (count > 0) line("inline constexpr {} {}[] = {{", type, name);
         return count > 0;
@@ -76,13 +76,13 @@ private:
 
     const Program& program_;
     const EmitOptions& options_;
-    std::map<SpirvWords, std::string> frozen_;  ///< names of those written so far; many passes share one
+    std::map<SpirvWords, std::string> frozen_;  ///< names of those already written; many passes share one
     std::string out_;
 };
 
 void HeaderWriter::code(const std::string& name, const SpirvWords& words) {
     if (!open("std::uint32_t", name, words.size())) return;
-    constexpr std::size_t words_a_line = 9;  // 12 columns each
+    constexpr std::size_t words_a_line = 9;  // 12 columns per word
     for (std::size_t i = 0; i < words.size(); ++i) {
         fmt::format_to(std::back_inserter(out_), "{}0x{:08x}u,", i % words_a_line ? " " : "    ", words[i]);
         if (i % words_a_line == words_a_line - 1 || i + 1 == words.size()) out_ += '\n';

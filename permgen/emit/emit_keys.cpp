@@ -16,7 +16,7 @@ std::string_view cpp_type(ScalarType type) {
 }
 
 std::string cpp_float(float value) {
-    std::string text = fmt::format("{}", value);  // the shortest text that reads back as the same float
+    std::string text = fmt::format("{}", value);  // the shortest text that parses as the same float
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text + "f";
 }
@@ -39,7 +39,7 @@ std::string cpp_literal(ScalarType type, std::uint32_t bits) {
     return {};
 }
 
-/// The author's name as C++ can have it: a trailing underscore for a keyword, one more while it is taken.
+/// The author's name as a C++ identifier: with a trailing underscore for a keyword, and more while the name is taken.
 std::string cpp_name(const std::string& author, std::set<std::string>& taken) {
     std::string name = author;
     if (is_keyword(name)) name += '_';
@@ -49,7 +49,7 @@ std::string cpp_name(const std::string& author, std::set<std::string>& taken) {
 
 std::vector<std::string> technique_names(const Program& program) {
     std::set<std::string> taken;
-    // Names that stay what they are come first: of `new` and `new_`, only `new` changes.
+    // Unchanged names take precedence: with `new` and `new_`, only `new` changes.
     for (const LoweredTechnique& technique : program.effect.techniques)
         if (!is_keyword(technique.name)) taken.insert(technique.name);
     std::vector<std::string> names;
@@ -99,12 +99,12 @@ void emit_lookup(const Program& program, std::size_t index, const std::vector<st
         }
     out += fmt::format(
         "}};\n}}  // namespace detail\n\n"
-        "/// The first technique with a pass that is compiled with this key; nullopt where there is none.\n"
+        "/// The first technique with a pass that is compiled with this key; nullopt if there is none.\n"
         "constexpr std::optional<TechniqueId> find_technique(const {0}& key) {{\n"
         "    for (const detail::{0}_row& row : detail::{0}_rows)\n"
         "        if (row.key == key) return row.technique;\n"
         "    return std::nullopt;\n}}\n\n"
-        "/// The key in the technique's first pass that uses {1}; nullopt where no pass does.\n"
+        "/// The key in the technique's first pass that uses {1}; nullopt if no pass uses it.\n"
         "constexpr std::optional<{0}> {0}_of(TechniqueId id) {{\n"
         "    for (const detail::{0}_row& row : detail::{0}_rows)\n"
         "        if (row.technique == id) return row.key;\n"

@@ -1,4 +1,4 @@
-// `permgen list`: the techniques of an effect, what they set and what they need.
+// `permgen list`: the techniques of an effect, their constants and their live resources.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace permgen {
 
 std::string list_json(const Program& program);
 
-/// For people: one line a pass.
+/// A table for people: one line per pass.
 std::string list_table(const Program& program);
 
 }  // namespace permgen

@@ -1,4 +1,4 @@
-// What the manifest and `permgen list --json` share.
+// JSON helpers for the manifest and `permgen list --json`.
 #pragma once
 
 #include <permgen/tables.h>
@@ -8,7 +8,7 @@
 
 namespace permgen {
 
-/// true, 3 or 0.5, as the type has it.
+/// true, 3 or 0.5, depending on the type.
 nlohmann::ordered_json constant_json(ScalarType type, std::uint32_t bits);
 
 }  // namespace permgen

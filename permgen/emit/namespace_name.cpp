@@ -7,7 +7,7 @@
 namespace permgen {
 namespace {
 
-// C++20, [lex.key] and [lex.digraph], and the two namespaces that the header itself refers to.
+// C++20, [lex.key] and [lex.digraph], and the two namespaces that the header uses.
 constexpr std::string_view taken[] = {"alignas",   "alignof",      "and",           "and_eq",
                                       "asm",       "auto",         "bitand",        "bitor",
                                       "bool",      "break",        "case",          "catch",
@@ -40,7 +40,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// An identifier that is free for use at global scope ([lex.name]: no leading or double underscore).
+/// An identifier that is allowed at global scope ([lex.name]: no leading or double underscore).
 bool is_part(std::string_view part) {
     if (part.empty() || !is_letter(part.front()) || is_keyword(part)) return false;
     if (part.find("__") != std::string_view::npos) return false;

@@ -6,10 +6,10 @@
 
 namespace permgen {
 
-/// Whether C++ keeps the word for itself, or the generated header needs it (`std`, `permgen`).
+/// Whether C++ reserves the word, or the generated header needs it (`std`, `permgen`).
 bool is_keyword(std::string_view word);
 
-/// Whether "studio::slices" can be a namespace: identifiers that no C++ keyword or reserved name is.
+/// Whether "studio::slices" can be a namespace: identifiers other than C++ keywords and reserved names.
 bool is_namespace(const std::string& name);
 
 /// A namespace for an effect of that name: "3d noise" becomes "effect_3d_noise".

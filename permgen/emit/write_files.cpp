@@ -44,7 +44,7 @@ int write_new_file(const fs::path& path, const std::string& bytes) {
     return error;
 }
 
-/// The steps taken so far; what is not kept is undone.
+/// The steps taken so far; its destructor undoes them unless keep() was called.
 class Transaction {
 public:
     ~Transaction();
@@ -57,8 +57,8 @@ private:
     struct Staged {
         fs::path target;
         fs::path temporary;
-        fs::path backup;        ///< a second name of what was there, where the file system allows one
-        bool replaces = false;  ///< something was there
+        fs::path backup;        ///< a hard link to the old file, if the file system allows one
+        bool replaces = false;  ///< an old file existed
         bool published = false;
     };
     std::vector<fs::path> folders_;
@@ -93,7 +93,7 @@ std::string Transaction::stage(const OutputFile& file) {
         return cannot("write", target, failed) + "; what was there before is untouched";
     if (staged_.back().replaces) {
         const fs::path backup = target.parent_path() / (stem + ".old");
-        // A file system without hard links cannot undo a failed move; moving within a folder hardly fails.
+        // A file system without hard links cannot undo a failed move; moves within a folder rarely fail.
         if (::link(target.c_str(), backup.c_str()) == 0) staged_.back().backup = backup;
     }
     return {};

@@ -1,4 +1,4 @@
-// All files or none.
+// Writes all files or none.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ struct OutputFile {
     std::string bytes;
 };
 
-/// Writes every file beside its place and moves all of them there once the last is complete, making
-/// missing folders. A file that already holds the same bytes is left alone, time stamp included. Returns an
-/// empty string, or one sentence that says what went wrong; the folder is then as it was before.
+/// Writes every file to a temporary name in its folder and renames all of them once the last is complete; makes missing
+/// folders. A file that already holds the same bytes keeps its time stamp. Returns an empty string, or one sentence
+/// about the error; the folder is then unchanged.
 std::string write_files(const std::vector<OutputFile>& files);
 
 }  // namespace permgen

@@ -10,9 +10,9 @@ namespace permgen {
 
 namespace {
 
-constexpr std::size_t max_shown_bytes = 400;  // a longer line fills the terminal and helps no reader
+constexpr std::size_t max_shown_bytes = 400;  // a longer line only fills the terminal
 
-/// The line without its end. Lines end as make_source() has them: "\n", "\r\n" or "\r".
+/// The line without its end. Lines end as in make_source(): "\n", "\r\n" or "\r".
 std::optional<std::string> read_line(const SourceLocation& place) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(place.file, error)) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<std::string> read_line(const SourceLocation& place) {
     return line;
 }
 
-/// The line and a caret under the column; nothing where the file has no such place (a #line may name any).
+/// The line and a caret under the column; empty if the file has no such place (a #line may name any).
 std::string shown_line(const SourceLocation& place) {
     if (place.file.empty() || place.line <= 0 || place.column <= 0) return {};
     const std::optional<std::string> line = read_line(place);

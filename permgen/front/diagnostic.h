@@ -1,4 +1,4 @@
-// What permgen says about an effect: a code that never changes its meaning, a place, a sentence.
+// permgen's messages about an effect: a code with a fixed meaning, a source location, a sentence.
 #pragma once
 
 #include <string>
@@ -19,13 +19,13 @@ struct Diagnostic {
     Severity severity = Severity::Error;
     std::string code;  ///< "PG001"; the list is in docs/diagnostics.md
     SourceLocation place;
-    std::string message;  ///< what is wrong and what to do
+    std::string message;  ///< the fault and its remedy
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// "file:line:column: error[PG001]: message"; parts that are 0 are left out. Where the place has a column and
-/// its file can be read, the author's line follows, and below it a caret. No newline at the end.
+/// "file:line:column: error[PG001]: message"; parts that are 0 are left out. If the place has a column and its file can
+/// be read, the author's line and a caret follow. No newline at the end.
 std::string format(const Diagnostic& diagnostic);
 
 bool has_errors(const Diagnostics& diagnostics);

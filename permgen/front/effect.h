@@ -1,5 +1,4 @@
-// An effect file, parsed: what is declared where. Plain data over the preprocessed tokens; nothing here
-// knows SPIR-V or Vulkan.
+// A parsed effect file: its declarations, as plain data over the preprocessed tokens. Independent of SPIR-V and Vulkan.
 #pragma once
 
 #include <optional>
@@ -21,7 +20,7 @@ struct TokenRange {
     std::size_t size() const { return end - begin; }
 };
 
-/// A semantic as HLSL compares them: upper case, number split off. "TexCoord3" is {"TEXCOORD", 3}.
+/// A semantic in the form that HLSL compares: upper case, with a separate number. "TexCoord3" is {"TEXCOORD", 3}.
 struct Semantic {
     std::string name;
     unsigned index = 0;
@@ -31,7 +30,7 @@ struct Semantic {
     bool present() const { return !name.empty(); }
 };
 
-/// A type as written, qualifiers taken off: "float4", "vector<float,4>", "SliceVertex".
+/// A type as written, without qualifiers: "float4", "vector<float,4>", "SliceVertex".
 struct TypeName {
     std::string_view name;               ///< first word, e.g. "vector"
     std::vector<std::string> arguments;  ///< of vector<> and matrix<>, e.g. {"float", "4"}
@@ -58,10 +57,10 @@ struct Variable {
     Qualifiers qualifiers;
     std::string_view name;
     Location at;
-    std::vector<TokenRange> dimensions;  ///< what stands between each pair of brackets
+    std::vector<TokenRange> dimensions;  ///< the tokens between each pair of brackets
     Semantic semantic;
-    TokenRange initializer;  ///< behind '=' up to ',' or ';'; empty: none
-    TokenRange range;        ///< all of it; declarators that share one type overlap in the type
+    TokenRange initializer;  ///< from '=' to ',' or ';', both excluded; empty: none
+    TokenRange range;        ///< the whole declaration; declarators that share one type overlap in the type
 };
 
 struct Struct {
@@ -84,7 +83,7 @@ struct Function {
 struct StateAssignment {
     std::string name;   ///< "MinFilter", "ColorOp[0]"
     std::string value;  ///< single words in upper case, <name> and (name) without their brackets
-    TokenRange index;   ///< what stands between the brackets behind the name
+    TokenRange index;   ///< the tokens between the brackets after the name
     TokenRange words;   ///< the value
     TokenRange range;
     Location at;
@@ -98,7 +97,7 @@ struct Sampler {
     Location at;
 };
 
-/// A D3D9 texture object. It is what a sampler's `Texture = <name>` names; SPIR-V has no use for it.
+/// A D3D9 texture object, which a sampler's `Texture = <name>` names; SPIR-V does not need it.
 struct TextureObject {
     std::string_view name;
     Location at;
@@ -141,19 +140,19 @@ struct ParsedTechnique {
     Location at;
 };
 
-/// What stands at file scope, in the author's order.
+/// The declarations at file scope, in the author's order.
 enum class ItemKind { Struct, Function, Globals, Sampler, Typedef, ConstantBuffer, Dropped };
 
 struct Item {
     ItemKind kind;
-    std::size_t index;  ///< into the vector of its kind; of Globals: of the first one
-    std::size_t count;  ///< how many it declares; other than 1 for Globals only
+    std::size_t index;  ///< into the vector of its kind; for Globals: the first one
+    std::size_t count;  ///< number of declarations; always 1 except for Globals
     TokenRange range;
 };
 
 struct ParsedEffect {
     Tokens tokens;
-    std::vector<bool> dropped;  ///< one for each token: not meant for an HLSL compiler
+    std::vector<bool> dropped;  ///< one for each token: true if the HLSL compiler must not see it
     std::vector<Item> items;
     std::vector<Struct> structs;
     std::vector<Function> functions;

@@ -1,4 +1,4 @@
-// Characters to tokens. No macro, no keyword: the preprocessor and the parser give words their meaning.
+// Characters to tokens. The lexer knows no macros and no keywords; the preprocessor and the parser handle them.
 #pragma once
 
 #include <string_view>
@@ -16,7 +16,7 @@ struct Token {
     TokenKind kind = TokenKind::End;
     bool starts_line = false;
     bool follows_space = false;
-    bool from_macro = false;  ///< stands in a macro's body, not where `at` says
+    bool from_macro = false;  ///< stands in a macro's body, not at `at`
     bool painted = false;     ///< named a macro inside its own expansion: never expanded again
 
     bool is(std::string_view spelling) const { return kind != TokenKind::String && text == spelling; }
@@ -25,9 +25,9 @@ struct Token {
 
 using Tokens = std::vector<Token>;
 
-/// The file's tokens without comments, no End token behind them. `name` is the Location::file to put into
-/// them. A byte that starts no token becomes an Unknown token, so that text which a condition skips
-/// causes no error; only a comment without an end is reported here.
+/// The file's tokens, without comments and without an End token. `name` becomes their Location::file. A byte that
+/// cannot start a token becomes an Unknown token, so that text which a condition skips causes no error. The only error
+/// here is a comment without an end.
 Tokens lex(const SourceFile& source, std::int32_t name, const Sources& sources, Diagnostics& diagnostics);
 
 /// A string token's characters without the quotes.

@@ -8,8 +8,8 @@
 
 namespace permgen {
 
-/// The candidate that differs from `name` by the fewest typing slips (wrong, missing, extra or swapped
-/// letters; letter case counts little), or nothing when none is close.
+/// The candidate with the fewest typing errors to `name` (wrong, missing, extra or swapped letters; letter case counts
+/// little), or nothing if none is close.
 std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates);
 
 /// `before` + the nearest candidate + `after`, or nothing.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t max_syntax_errors = 20;
 
-// Words that begin something of D3D10, of later HLSL, or of D3DX that has no meaning here.
+// Words that begin unsupported constructs of D3D10, later HLSL or D3DX.
 struct Refused {
     std::string_view word;
     std::string_view reason;
@@ -48,7 +48,7 @@ bool declares(const ParseCursor& cursor, bool (*is_type)(const Token&), std::siz
     return is_type(cursor.peek(ahead)) && cursor.peek(ahead + 1).is_identifier() && !cursor.peek(ahead + 2).is("(");
 }
 
-// A `string`: something for tools to read.
+// A `string`: data for tools.
 void drop_declaration(ParseCursor& cursor) {
     const std::size_t begin = cursor.at;
     cursor.take();
@@ -89,7 +89,7 @@ void parse_item(ParseCursor& cursor) {
     parse_function_or_globals(cursor);
 }
 
-// From the beginning of an item with a syntax error to where the next one probably begins.
+// Skips from the beginning of an item with a syntax error to the probable beginning of the next item.
 void resynchronize(ParseCursor& cursor) {
     std::size_t open = 0;
     cursor.take();

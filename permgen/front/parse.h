@@ -5,7 +5,7 @@
 
 namespace permgen {
 
-/// Brackets nested deeper than this are refused: glslang overflows its stack some way above.
+/// Maximum nesting of brackets: glslang overflows its stack at some higher depth.
 inline constexpr std::size_t max_bracket_depth = 256;
 
 /// Parses all of `tokens`, which end with an End token. Continues after an error, up to twenty of them.

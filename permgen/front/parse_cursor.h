@@ -1,4 +1,4 @@
-// What every part of the parser stands on: a position in the tokens, and how to report an error.
+// The base of every part of the parser: a position in the tokens, and error reporting.
 #pragma once
 
 #include <string>
@@ -32,9 +32,9 @@ struct ParseCursor {
     void expect(std::string_view spelling, const std::string& where);
     const Token& expect_identifier(const std::string& what);
 
-    /// From an opening bracket to behind its closing one. Returns what is between.
+    /// Skips from an opening bracket past its closing one. Returns the tokens between.
     TokenRange skip_brackets();
-    /// Up to, and not including, one of the characters in `ends` outside brackets.
+    /// Skips to one of the characters in `ends` outside brackets, which it does not consume.
     TokenRange skip_to(std::string_view ends, const std::string& what);
 
     void drop(TokenRange range);
@@ -43,7 +43,7 @@ struct ParseCursor {
 /// The token's text for a message: 'text', or "the end of the file".
 std::string quoted(const Token& token);
 
-/// The tokens' texts, a space where the author wrote one.
+/// The tokens' texts, with a space where the author has one.
 std::string text_of(const ParsedEffect& effect, TokenRange range);
 
 }  // namespace permgen

@@ -9,7 +9,7 @@
 namespace permgen {
 namespace {
 
-// What a declaration at file scope can start with, for "did you mean".
+// The words that can start a declaration at file scope, for "did you mean".
 constexpr std::array<std::string_view, 14> file_scope_words = {
     "technique", "struct",  "cbuffer",   "typedef",   "sampler",     "sampler2D", "sampler3D",
     "static",    "texture", "texture2D", "texture3D", "samplerCUBE", "uniform",   "const"};

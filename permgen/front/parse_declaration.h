@@ -5,14 +5,14 @@
 
 namespace permgen {
 
-/// Words in front of a type. Those that only the effect's interface is about are dropped from the text.
+/// Words before a type. Those that concern only the effect's interface are dropped from the text.
 Qualifiers parse_qualifiers(ParseCursor& cursor);
 TypeName parse_type(ParseCursor& cursor);
 
-/// `< ... >` with declarations between, dropped; returns at once where there is none.
+/// Drops `< ... >` with the declarations in it, if there is one.
 void skip_annotations(ParseCursor& cursor);
 
-/// What may follow a declared name: brackets, `: SEMANTIC`, `: register(...)`, annotations, `= initializer`.
+/// The parts that may follow a declared name: brackets, `: SEMANTIC`, `: register(...)`, annotations, `= initializer`.
 /// The initializer ends at one of the characters in `ends`.
 void parse_declarator(ParseCursor& cursor, Variable& variable, std::string_view ends);
 

@@ -24,7 +24,7 @@ void check_profile(ParseCursor& cursor, const Token& word, bool vertex, const st
         vertex ? std::span<const std::string_view>(d3d9::vertex_profiles) : d3d9::pixel_profiles;
     if (std::any_of(profiles.begin(), profiles.end(), [&](auto profile) { return same_word(profile, word.text); }))
         return;
-    // The other stage's profile is near in letters and far from what is meant.
+    // The other stage's profile has similar letters, but is never the intended one.
     const std::string_view stage = vertex ? "vs_" : "ps_";
     const bool other_stage = same_word(word.text.substr(0, 3), vertex ? "ps_" : "vs_");
     cursor.fail("PG024", word.at,
@@ -153,7 +153,7 @@ ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
     else if (!pass.vertex)
         report_warning(cursor.diagnostics, "PG027", cursor.sources.place(pass.at),
                        where + " of technique '" + technique.name +
-                           "' has no vertex shader; the application must bring one to draw with it");
+                           "' has no vertex shader; the application must provide one to draw with it");
     return pass;
 }
 
@@ -212,7 +212,7 @@ bool is_sampler_type(const Token& token) {
 bool is_texture_type(const Token& token) {
     static constexpr std::array<std::string_view, 5> types = {"texture", "texture1D", "texture2D", "texture3D",
                                                               "textureCUBE"};
-    // `Texture2D` with a capital is D3D10's object, a different thing.
+    // `Texture2D` with a capital T is D3D10's object, which differs.
     return token.is("Texture") ||
            (!token.text.starts_with('T') && std::any_of(types.begin(), types.end(), [&](std::string_view type) {
                return same_word(type, token.text);
@@ -235,7 +235,7 @@ void parse_samplers(ParseCursor& cursor) {
                 "arrays of samplers are not supported; declare '" + std::string(name.text) + "' as single samplers");
         Variable declarator;
         declarator.name = name.text;
-        // Only the part in front of '=' is an ordinary declarator; a sampler's states are no expression.
+        // Only the part before '=' is an ordinary declarator; a sampler's states are not an expression.
         while (cursor.is(":")) {
             cursor.take();
             cursor.expect_identifier("'register' or a semantic");

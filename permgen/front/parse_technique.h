@@ -1,4 +1,4 @@
-// Techniques, passes, state assignments and samplers: what D3DX adds to HLSL.
+// Techniques, passes, state assignments and samplers: D3DX's additions to HLSL.
 #pragma once
 
 #include "front/parse_cursor.h"

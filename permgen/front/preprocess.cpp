@@ -17,11 +17,11 @@ struct Conditional {
     Location at;
     bool outer_active;
     bool active;
-    bool taken;  ///< one of its branches was active already
+    bool taken;  ///< one of its branches has been active
     bool in_else;
 };
 
-// What #line says about the rest of a file.
+// The effect of #line on the rest of a file.
 struct LineShift {
     std::int64_t lines = 0;
     std::int32_t file = -1;  ///< -1: the file's own name
@@ -239,7 +239,7 @@ private:
         }
         Tokens expanded;
         expand(context_, without_defined, 0, expanded);
-        // As in C, a name that is not a macro counts as 0; `true` is what HLSL authors expect it to be.
+        // As in C, a name that is not a macro counts as 0, except `true`, which counts as 1.
         const IntegerNames names = [](std::string_view word) { return word == "true" ? 1 : 0; };
         const IntegerResult result = evaluate_integer(expanded, names);
         if (result.value) return *result.value != 0;
@@ -302,7 +302,7 @@ private:
         context_.macros.erase(rest[0].text);
     }
 
-    // The name between quotes or angle brackets, after macro expansion where it stands in neither.
+    // The name between quotes or angle brackets; macros are expanded first if it has neither.
     std::optional<std::string> include_name(std::span<const Token> rest) {
         Tokens expanded(rest.begin(), rest.end());
         if (!expanded.empty() && expanded[0].is_identifier()) {

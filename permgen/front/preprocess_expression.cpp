@@ -6,7 +6,7 @@
 namespace permgen {
 namespace {
 
-// Parentheses, unary operators and ?: nest by recursion; conditions written by hand are not this deep.
+// Parentheses, unary operators and ?: nest by recursion; hand-written conditions stay below this depth.
 constexpr int max_depth = 256;
 
 struct Binary {

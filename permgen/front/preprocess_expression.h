@@ -14,10 +14,10 @@ namespace permgen {
 struct IntegerResult {
     std::optional<std::int64_t> value;
     std::string problem;  ///< why there is no value
-    Location at;          ///< where the problem is; file -1: behind the last token
+    Location at;          ///< of the problem; file -1: after the last token
 };
 
-/// What an identifier stands for, or nothing when it is not a number's name.
+/// The value of an identifier, or nothing if it does not name a number.
 using IntegerNames = std::function<std::optional<std::int64_t>(std::string_view)>;
 
 /// Evaluates all of `tokens` with C's operators and precedence, in 64 bits that wrap around.

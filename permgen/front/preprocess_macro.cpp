@@ -9,8 +9,8 @@
 namespace permgen {
 namespace {
 
-// Longest token that # and ## may build. Nested # doubles its backslashes at every level, so without a
-// bound a few lines could ask for exabytes.
+// Longest token that # and ## may build. Nested # doubles its backslashes at every level: without a limit, a few lines
+// could need exabytes.
 constexpr std::size_t max_built_token = 1u << 16;
 
 struct Frame {
@@ -102,7 +102,7 @@ private:
         return token;
     }
 
-    // Behind the '(': everything up to its ')', split at the commas that no inner parentheses hide.
+    // After the '(': everything up to its ')', split at the commas outside inner parentheses.
     bool collect_arguments(const Token& name, const Macro& macro, std::vector<Tokens>& arguments) {
         const std::size_t expected = macro.parameters.size();
         arguments.emplace_back();

@@ -1,4 +1,4 @@
-// Macros: what #define remembers, and how a name becomes its body.
+// Macros: their definitions, and the expansion of a name to its body.
 #pragma once
 
 #include <span>
@@ -17,10 +17,10 @@ struct Macro {
     Location at;
     bool function_like = false;
     bool variadic = false;  ///< the last parameter, __VA_ARGS__, takes all remaining arguments
-    bool in_use = false;    ///< its expansion is being rescanned: its name stays as it is there
+    bool in_use = false;    ///< its expansion is being rescanned, so its name is not expanded there
 };
 
-/// What a preprocessor run shares: macros, texts, complaints, and how much work is left.
+/// The shared state of a preprocessor run: macros, texts, diagnostics, and the remaining work.
 struct MacroContext {
     Sources& sources;
     Diagnostics& diagnostics;
@@ -28,17 +28,17 @@ struct MacroContext {
     std::size_t steps = 0;
 };
 
-/// Thrown once a bound is exceeded and its diagnostic stands; caught in preprocess().
+/// Thrown when a limit is exceeded, after its diagnostic was added; caught in preprocess().
 struct PreprocessingAborted {};
 
-/// Adds to `steps` and aborts with a diagnostic at `at` when too many were taken.
+/// Adds to `steps` and aborts with a diagnostic at `at` if there are too many.
 void spend(MacroContext& context, std::size_t steps, Location at);
 
 /// Reports an error; aborts after max_reported_errors.
 void complain(MacroContext& context, const char* code, Location at, std::string message);
 
-/// Appends to `out` what `input`, which contains no directives, expands to. `depth` counts the macro calls
-/// within arguments of macro calls around it.
+/// Appends the expansion of `input`, which contains no directives, to `out`. `depth`: the number of enclosing macro
+/// calls whose arguments contain `input`.
 void expand(MacroContext& context, std::span<const Token> input, int depth, Tokens& out);
 
 /// The characters between the tokens' first and last, for messages: blanks become one space.

@@ -71,7 +71,7 @@ private:
         const bool has_uniforms = std::any_of(effect_.globals.begin(), effect_.globals.end(),
                                               [](const Variable& global) { return !global.qualifiers.is_static; });
         if (const auto globals = declared.find("Globals"); has_uniforms && globals != declared.end())
-            error("PG042", globals->second, "'Globals' is what the loose uniforms' block is called; use another name");
+            error("PG042", globals->second, "'Globals' is the name of the loose uniforms' block; use another name");
         if (effect_.techniques.empty() && !effect_.tokens.empty())
             error("PG027", Location{effect_.tokens.back().at.file, 0, 0},
                   "the effect has no technique; add technique NAME { pass NAME { ... } }");
@@ -104,7 +104,7 @@ private:
         shader.place = sources_.place(compile.at);
         std::optional<BoundEntry> bound = bind_arguments(effect_, sources_, compile, diagnostics_);
         if (!bound) return shader;
-        // Literals become specialization constants of one shared module; anything else is part of its text.
+        // Literals become specialization constants of one shared module; other arguments become part of its text.
         std::string key = std::string(compile.entry) + (stage == Stage::Vertex ? "|v" : "|p");
         for (const BoundParameter& parameter : bound->uniforms) {
             key += parameter.is_axis ? "|axis" : "|=" + parameter.expression;

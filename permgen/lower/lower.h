@@ -1,5 +1,5 @@
-// A parsed effect to HLSL that glslang understands, and to the interface that must come out of it. The tables
-// of locations are in lower_interface.h, the order of bindings in lower_text.h.
+// Turns a parsed effect into HLSL for glslang, and into the interface that the result must have. The tables of
+// locations are in lower_interface.h, the order of bindings in lower_text.h.
 #pragma once
 
 #include "front/effect.h"
@@ -7,7 +7,7 @@
 
 namespace permgen {
 
-/// Everything of Lowered but `name` and `dependencies`.
+/// Fills all of Lowered except `name` and `dependencies`.
 Lowered lower(const ParsedEffect& effect, const Sources& sources, Diagnostics& diagnostics);
 
 }  // namespace permgen

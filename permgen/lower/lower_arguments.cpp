@@ -31,7 +31,7 @@ std::optional<float> float_literal(std::string_view text) {
     if (end != text.data() + text.size() || (error != std::errc() && error != std::errc::result_out_of_range))
         return std::nullopt;
     if (error == std::errc::result_out_of_range) {
-        // Too large or too small: only the exponent's sign tells which, and too small is just 0.
+        // Too large or too small: the exponent's sign decides which. Too small becomes 0.
         value = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos
                     ? 0.0F
                     : std::numeric_limits<float>::infinity();
@@ -39,7 +39,7 @@ std::optional<float> float_literal(std::string_view text) {
     return value;
 }
 
-// Signs and enclosing parentheses taken off a literal.
+// A literal without its signs and enclosing parentheses.
 struct BareLiteral {
     std::span<const Token> tokens;
     bool negative = false;

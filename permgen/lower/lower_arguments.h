@@ -1,4 +1,4 @@
-// What a `compile` gives to the uniform parameters of its entry point.
+// The arguments of a `compile` for the uniform parameters of its entry point.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@ namespace permgen {
 
 struct BoundParameter {
     const Variable* parameter = nullptr;
-    bool is_axis = false;  ///< a specialization constant of the value `bits`; else the wrapper passes `expression`
+    bool is_axis = false;  ///< true: a specialization constant with the value `bits`; false: the wrapper passes
+                           ///< `expression`
     ScalarType type = ScalarType::Bool;
     std::uint32_t bits = 0;
     std::string expression;  ///< as HLSL
@@ -27,11 +28,11 @@ struct BoundEntry {
 /// True for parameters that a `compile` fills: `uniform` ones and samplers.
 bool is_uniform_parameter(const Variable& parameter);
 
-/// Finds the entry point and checks every argument against its parameter; nothing after an error.
+/// Finds the entry point and checks every argument against its parameter; returns nothing after an error.
 std::optional<BoundEntry> bind_arguments(const ParsedEffect& effect, const Sources& sources, const Compile& compile,
                                          Diagnostics& diagnostics);
 
-/// The bits of a literal for a constant of `type`: `true`, `-3`, `(0.5f)`. Nothing where the tokens are not a literal;
+/// The bits of a literal for a constant of `type`: `true`, `-3`, `(0.5f)`. Nothing if the tokens are not a literal;
 /// `problem` is set for a literal that does not fit the type.
 std::optional<std::uint32_t> literal_bits(std::span<const Token> tokens, ScalarType type, std::string& problem);
 

@@ -38,7 +38,7 @@ bool is(const InterfaceSlot& slot, std::string_view name, std::string_view syste
     return (slot.semantic.name == name && slot.semantic.index == 0) || slot.semantic.name == system_value;
 }
 
-// Gives `slot` a system value where its semantic is one. False: the semantic has no meaning on this side.
+// Sets the slot's system value if its semantic is one. False: the semantic is not allowed on this side.
 bool resolve_system_value(const Flattening& f, InterfaceSlot& slot) {
     const bool system = slot.semantic.name.starts_with("SV_");
     const std::string index = std::to_string(slot.semantic.index);

@@ -1,6 +1,6 @@
-// What an entry point takes from the stage before it and gives to the next, register by register.
+// The inputs and outputs of an entry point, register by register.
 //
-// Locations follow from the semantic alone, so that stages, effects and vertex layouts written apart agree:
+// Locations depend on the semantic only, so that separately written stages, effects and vertex layouts agree:
 //
 //   vertex inputs                          vertex outputs and pixel inputs      pixel outputs
 //   POSITION0      0    COLOR0-1   10-11   COLOR0-1      0-1                    COLORn       n (0 to 7)
@@ -9,9 +9,9 @@
 //                       BLENDWEIGHT0  14
 //                       BLENDINDICES0 15
 //
-// Every other semantic of the effect gets the next locations behind these (from 16, from 12), ordered by name
-// and index over all the effect's entry points. An array takes one location for each element, with the index
-// counting up; a matrix one for each column (each row, if row_major), as D3D9 assigns registers.
+// All other semantics of the effect get the locations after these (from 16, from 12), ordered by name and index over
+// all the effect's entry points. An array takes one location for each element, with the index counting up; a matrix one
+// for each column (each row, if row_major), as D3D9 assigns registers.
 #pragma once
 
 #include <map>
@@ -24,10 +24,10 @@
 
 namespace permgen {
 
-/// How a value changes between the author's variable and the interface.
+/// The conversion between the author's variable and the interface.
 enum class Conversion {
     None,
-    Cast,        ///< bool travels as uint
+    Cast,        ///< bool is passed as uint
     PixelIndex,  ///< VPOS counts pixels, SV_Position their centres
     FaceSign,    ///< VFACE is +1 for front faces and -1 for back faces, SV_IsFrontFace is a bool
 };
@@ -40,12 +40,12 @@ struct InterfaceSlot {
     Semantic semantic;
     ScalarType scalar = ScalarType::Float;  ///< as it crosses the boundary
     unsigned components = 4;
-    unsigned author_components = 4;  ///< VPOS may be shorter than the builtin it comes from
+    unsigned author_components = 4;  ///< VPOS may have fewer components than its builtin
     Conversion conversion = Conversion::None;
     ScalarType author_scalar = ScalarType::Float;
     std::string system_value;  ///< "SV_Position"; empty: has a location
     bool point_size = false;
-    bool absent = false;        ///< no stage hands it over (PSIZE to a pixel shader): reads as 0
+    bool absent = false;        ///< no stage provides it (PSIZE in a pixel shader): reads as 0
     std::string interpolation;  ///< "centroid ", "nointerpolation ", ...
     SourceLocation place;
 
@@ -59,10 +59,10 @@ enum class Direction { In, Out };
 void flatten(const ParsedEffect& effect, const Sources& sources, const Variable& variable, const std::string& path,
              Stage stage, Direction direction, std::vector<InterfaceSlot>& slots, Diagnostics& diagnostics);
 
-/// Reports semantics that two slots share. Slots of one system value read from different paths are no conflict.
+/// Reports semantics that two slots share. Several paths may read one system value.
 void check_distinct(const std::vector<InterfaceSlot>& slots, std::string_view entry, Diagnostics& diagnostics);
 
-/// Widens each varying in `outputs` to what `inputs`, some pixel shader's, reads of it: D3D9 lets a pixel
+/// Widens each varying in `outputs` to the components that `inputs`, those of a pixel shader, read: D3D9 lets a pixel
 /// shader read more components than the vertex shader writes, Vulkan does not.
 void widen(std::vector<InterfaceSlot>& outputs, const std::vector<InterfaceSlot>& inputs);
 

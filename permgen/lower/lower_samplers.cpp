@@ -34,7 +34,7 @@ ImageDimension of_texture_function(std::string_view name) {
     return ImageDimension::None;
 }
 
-// A call in a function's body, as far as it passes plain names on.
+// A call in a function's body, with those arguments that are plain names.
 struct Call {
     std::size_t caller;
     std::size_t name_token;
@@ -81,7 +81,7 @@ public:
     }
 
     SamplerDimensions run() {
-        // Each round carries dimensions one call further up; every round but the last settles something.
+        // Each round carries dimensions up by one call, and stops after a round without a change.
         while (!failed_ && propagate()) {
         }
         for (ImageDimension& dimension : result_.samplers)

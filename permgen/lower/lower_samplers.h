@@ -11,11 +11,11 @@ namespace permgen {
 
 struct SamplerDimensions {
     std::vector<ImageDimension> samplers;                ///< of ParsedEffect::samplers
-    std::map<std::size_t, std::string> parameter_types;  ///< token of an untyped parameter's `sampler`: what it must be
+    std::map<std::size_t, std::string> parameter_types;  ///< token of an untyped parameter's `sampler`, to its type
 };
 
-/// Follows samplers through calls of the effect's own functions. One that nothing reads counts as 2D; one that
-/// is read as two dimensions is an error.
+/// Follows samplers through calls of the effect's own functions. An unread sampler counts as 2D; reading one sampler
+/// with two dimensions is an error.
 SamplerDimensions infer_sampler_dimensions(const ParsedEffect& effect, const Sources& sources,
                                            Diagnostics& diagnostics);
 

@@ -28,7 +28,7 @@ std::string unknown_name(std::string_view name, bool in_sampler) {
            suggestion(name, names, "; did you mean '", "'?");
 }
 
-/// What this value does when drawn with.
+/// Whether the value has an effect when drawing.
 bool takes_effect(const StateRow& row, const LoweredState& state, bool in_sampler) {
     if (!in_sampler && row.scope == Scope::Sampler) return false;
     if (row.support == Support::Fixed) return state.bits == row.fixed;
@@ -50,7 +50,7 @@ std::string no_effect(const StateRow& row, const LoweredState& state, bool in_sa
         return assignment + " is not drawn: the renderer refuses a " + (in_sampler ? "sampler" : "pass") +
                " with it; write " + fixed_word(row) + " or remove it";
     if (row.support == Support::None)
-        return "'" + state.name + "' has no effect here; remove it, or do its work in the shader";
+        return "'" + state.name + "' has no effect here; remove it, or implement it in the shader";
     return assignment + " is not drawn: Direct3D 9 has this value, and the renderer refuses it; write another";
 }
 
@@ -102,7 +102,7 @@ bool StateChecker::check(const StateAssignment& state, Where where, LoweredState
 
     const auto tokens = std::span<const Token>(effect_.tokens).subspan(state.words.begin, state.words.size());
     StateValue value = read_state_value(*row, tokens);
-    // A parameter's name may stand in place of a literal.
+    // A parameter's name may replace a literal.
     if (value.at && declared_.contains(std::string(value.at->text))) value = {ValueKind::Expression, 0, {}, nullptr};
     if (!value.problem.empty()) {
         error("PG044", value.at->at, value.problem);
@@ -110,7 +110,7 @@ bool StateChecker::check(const StateAssignment& state, Where where, LoweredState
     }
     lowered.kind = value.kind;
     lowered.bits = value.bits;
-    // What names something keeps its case.
+    // Names of declarations keep their case.
     if ((row->kind == ValueKind::Object || value.kind == ValueKind::Expression) && tokens.size() == 1)
         lowered.value = tokens.front().text;
     if (value.kind == ValueKind::Expression && row->support != Support::None)

@@ -1,4 +1,4 @@
-// State assignments, checked against Direct3D 9's table: names, values, what has no effect.
+// State assignments, checked against Direct3D 9's table: names, values, support.
 #pragma once
 
 #include <set>
@@ -16,7 +16,7 @@ class StateChecker {
 public:
     StateChecker(const ParsedEffect& effect, const Sources& sources, Diagnostics& diagnostics);
 
-    /// In the author's order. Of two settings of a state only the later is kept, as D3DX has it.
+    /// In the author's order. As in D3DX, the later of two settings of a state replaces the earlier.
     std::vector<LoweredState> pass_states(const std::vector<StateAssignment>& states);
     std::vector<LoweredState> sampler_states(const std::vector<StateAssignment>& states);
 
@@ -31,7 +31,7 @@ private:
     const ParsedEffect& effect_;
     const Sources& sources_;
     Diagnostics& diagnostics_;
-    std::set<std::string> declared_;  ///< names of parameters, which may stand in a value
+    std::set<std::string> declared_;  ///< names of parameters, which a value may contain
     std::set<std::string, std::less<>> warned_;
 };
 

@@ -90,7 +90,7 @@ private:
             const Variable& first = effect_.globals[effect_.items[loose_.front()].index];
             add_resource(globals_name, ResourceKind::UniformBuffer, ImageDimension::None, binding, first.at);
         }
-        ++binding;  // The loose uniforms' place, with or without them.
+        ++binding;  // Reserved for the loose uniforms, even if there are none.
         for (std::size_t s = 0; s < effect_.samplers.size(); ++s) {
             const Sampler& sampler = effect_.samplers[s];
             add_resource(sampler.name, ResourceKind::CombinedImageSampler, dimensions_.samplers[s], binding++,
@@ -133,7 +133,7 @@ private:
         add_line(text_, "};");
     }
 
-    // Structs, typedefs and constants that a gathered global needs move up with it.
+    // Structs, typedefs and constants that a gathered global needs are moved up with it.
     void write_needed(std::size_t user, std::size_t behind) {
         std::set<std::string_view> words;
         const TokenRange range = effect_.items[user].range;
@@ -141,7 +141,7 @@ private:
             if (effect_.tokens[t].is_identifier()) words.insert(effect_.tokens[t].text);
         for (std::size_t i = behind; i < user; ++i) {
             if (written_[i] || !is_declared_by(effect_.items[i], words)) continue;
-            written_[i] = true;  // First, so that a declaration that names itself ends here.
+            written_[i] = true;  // Set first, so that a declaration that names itself ends the recursion.
             write_needed(i, behind);
             write_body(effect_.items[i]);
         }

@@ -1,4 +1,4 @@
-// What a type's name means, as far as an interface needs to know.
+// The meaning of type names in an interface.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,7 @@
 
 namespace permgen {
 
-/// A scalar (1x1), vector (1xN) or matrix. Half and the minimum-precision types count as float, as they do in
-/// the SPIR-V.
+/// A scalar (1x1), vector (1xN) or matrix. Half and the minimum-precision types count as float, as in the SPIR-V.
 struct NumericType {
     ScalarType scalar = ScalarType::Float;
     unsigned rows = 1;
@@ -25,7 +24,7 @@ std::optional<NumericType> numeric_type(const ParsedEffect& effect, const TypeNa
 
 const Struct* find_struct(const ParsedEffect& effect, const TypeName& type);
 
-/// "sampler2D" and its kin.
+/// "sampler2D" and similar types.
 bool is_sampler(const TypeName& type);
 
 /// "float4", "bool", ... for vectors and scalars.
@@ -34,8 +33,7 @@ std::string spelling(ScalarType scalar, unsigned components);
 /// "a float4x4", for messages.
 std::string spelling(const NumericType& type);
 
-/// The number of elements that `dimension` asks for: an integer expression over literals and
-/// `static const int` globals.
+/// The number of elements in `dimension`: an integer expression over literals and `static const int` globals.
 std::optional<std::int64_t> array_size(const ParsedEffect& effect, TokenRange dimension);
 
 }  // namespace permgen

@@ -22,7 +22,7 @@ std::string axis_name(std::string_view parameter) {
     return "permgen_axis_" + std::string(parameter);
 }
 
-// to_chars gives the shortest digits that read back as the same float.
+// to_chars gives the shortest digits that parse as the same float.
 std::string constant_declaration(const LoweredAxis& axis) {
     std::string value;
     switch (axis.type) {
@@ -92,7 +92,7 @@ void copy_out(LoweredText& text, const InterfaceSlot& slot) {
         value += ')';
     }
     if (slot.conversion == Conversion::None && slot.author_components < slot.components) {
-        // What the author leaves out is (0, 0, 0, 1), as in a vertex element that D3D9 expands.
+        // Missing components are those of (0, 0, 0, 1), as in a vertex element that D3D9 expands.
         value = spelling(slot.scalar, slot.components) + '(' + value;
         for (unsigned c = slot.author_components; c < slot.components; ++c) value += c == 3 ? ", 1" : ", 0";
         value += ')';
@@ -108,7 +108,7 @@ void declare_structure(LoweredText& text, const std::string& name, Stage stage, 
     for (const InterfaceSlot& slot : slots) {
         const std::string semantic = slot.canonical();
         if (slot.absent || !declared.insert(semantic).second)
-            continue;  // VPOS beside POSITION: one builtin, read twice
+            continue;  // VPOS and POSITION: one builtin, read twice
         std::string line = "    ";
         if (slot.point_size)
             line += "[[vk::builtin(\"PointSize\")]] ";
@@ -116,7 +116,7 @@ void declare_structure(LoweredText& text, const std::string& name, Stage stage, 
             line += "[[vk::location(" + std::to_string(location(locations, stage, direction, slot)) + ")]] ";
         line += slot.interpolation + spelling(slot.scalar, slot.components) + ' ' + semantic;
         if (!slot.point_size && !slot.system_value.empty()) line += " : " + slot.system_value;
-        // The location stands already; a target's semantic is what tells glslang that it is one.
+        // The location is already written; glslang recognizes a render target by its semantic.
         else if (stage == Stage::Pixel && direction == Direction::Out)
             line += " : SV_Target" + std::to_string(slot.semantic.index);
         add_line(text, line + ';');

@@ -1,5 +1,5 @@
-// The generated entry point: specialization constants and the stage's interface on the outside, a call of the
-// author's function within.
+// The generated entry point: it declares the specialization constants and the stage's interface, and calls the author's
+// function.
 #pragma once
 
 #include "lower/lower_arguments.h"
@@ -8,7 +8,7 @@
 
 namespace permgen {
 
-/// One entry point to be: what is bound to its uniforms, and its registers.
+/// An entry point to generate: its bound uniforms and its registers.
 struct EntryPoint {
     std::string name;  ///< the module's, unique in the effect
     Stage stage;
@@ -21,7 +21,7 @@ struct EntryPoint {
 /// Fills in the registers.
 void find_interface(const ParsedEffect& effect, const Sources& sources, EntryPoint& entry, Diagnostics& diagnostics);
 
-/// The finished module: `author`, with the wrapper behind it.
+/// The finished module: `author`, followed by the wrapper.
 LoweredModule make_module(const ParsedEffect& effect, const Sources& sources, const EntryPoint& entry,
                           const LocationTable& locations, LoweredText author);
 

@@ -1,6 +1,6 @@
-// An effect after lowering: HLSL that glslang understands, and the interface that must come out of it.
-// The boundary between the effect language (preprocess, lex, parse, lower) and the back end (compile,
-// specialize, reflect, emit): plain data, without types of either side.
+// An effect after lowering: HLSL for glslang, and the interface that the result must have. The boundary between the
+// effect language (preprocess, lex, parse, lower) and the back end (compile, specialize, reflect, emit): plain data
+// that uses no types of either side.
 #pragma once
 
 #include <permgen/tables.h>
@@ -15,8 +15,8 @@
 
 namespace permgen {
 
-/// In front of author's names that glslang keeps for itself (`point`, `sampler`, ...): members and resources of
-/// such a name carry it in the SPIR-V, and lose it in what the author gets to see.
+/// The prefix of author's names that glslang reserves (`point`, `sampler`, ...). Such members and resources have it in
+/// the SPIR-V, and not in permgen's output.
 inline constexpr std::string_view renamed_prefix = "permgen_id_";
 
 /// A specialization constant that the generated wrapper declares.
@@ -24,7 +24,7 @@ struct LoweredAxis {
     std::string name;  ///< the author's parameter name
     std::uint32_t id;  ///< constant_id, from 0 in parameter order
     ScalarType type;
-    std::uint32_t default_bits;  ///< the parameter's own default value where written, else 0
+    std::uint32_t default_bits;  ///< the parameter's default value if it has one, else 0
     SourceLocation place;
 };
 
@@ -43,7 +43,7 @@ struct LoweredState {
     std::string name;   ///< Direct3D 9's spelling: "MinFilter", "ColorOp[0]"
     std::string value;  ///< the author's words
     StateId id = StateId::Unknown;
-    std::uint32_t index = 0;  ///< of ColorOp[0] and the like
+    std::uint32_t index = 0;  ///< for states such as ColorOp[0]
     ValueKind kind = ValueKind::Words;
     std::uint32_t bits = 0;
 };
@@ -58,7 +58,7 @@ struct LoweredResource {
     SourceLocation place;
 };
 
-/// One entry point to compile. Equal entries of several techniques share one.
+/// One entry point to compile. Techniques with equal entries share one.
 struct LoweredModule {
     std::string name;          ///< unique in the effect
     std::string entry;         ///< the generated wrapper's name: the SPIR-V's entry point
@@ -66,7 +66,8 @@ struct LoweredModule {
     Stage stage;
     std::string profile;  ///< "ps_3_0", as written
     std::string hlsl;
-    std::vector<SourceLocation> line_map;  ///< the author's place of each line of `hlsl`; file empty: generated
+    std::vector<SourceLocation> line_map;  ///< the author's place of each line of `hlsl`; an empty file means a
+                                           ///< generated line
     std::vector<LoweredAxis> axes;
     std::vector<LoweredAttribute> inputs;
     std::vector<LoweredAttribute> outputs;
@@ -105,7 +106,7 @@ struct Lowered {
     std::vector<LoweredModule> modules;
     std::vector<LoweredResource> resources;  ///< of the whole effect, in order of binding
     std::vector<LoweredTechnique> techniques;
-    std::vector<std::string> dependencies;  ///< every file read, the effect itself first
+    std::vector<std::string> dependencies;  ///< every file that was read; the effect comes first
 };
 
 }  // namespace permgen

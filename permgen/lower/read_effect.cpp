@@ -11,7 +11,7 @@ Lowered read_effect(const std::string& path, const SourceOptions& options, Diagn
     Lowered lowered;
     Sources sources;
     Preprocessed preprocessed = preprocess(path, options, sources, diagnostics);
-    // Tokens after a broken line would cause errors about things that the author did not write.
+    // Tokens after a broken line would cause misleading errors.
     if (!has_errors(diagnostics)) {
         const ParsedEffect effect = parse(std::move(preprocessed.tokens), sources, diagnostics);
         if (!has_errors(diagnostics)) lowered = lower(effect, sources, diagnostics);

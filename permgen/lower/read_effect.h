@@ -1,4 +1,4 @@
-// An effect file, read: preprocess, lex, parse, lower in one call.
+// Reads an effect file: preprocess, lex, parse and lower in one call.
 #pragma once
 
 #include "front/preprocess.h"
@@ -6,7 +6,7 @@
 
 namespace permgen {
 
-/// Appends to `diagnostics`; where that holds an error afterwards, the returned value must not be used.
+/// Appends to `diagnostics`. If that holds an error afterwards, the returned value must not be used.
 Lowered read_effect(const std::string& path, const SourceOptions& options, Diagnostics& diagnostics);
 
 }  // namespace permgen

@@ -13,7 +13,7 @@ namespace {
 
 using d3d9::StateRow;
 
-/// (1) and <1> are written for 1; -1 keeps its sign.
+/// (1) and <1> mean 1; -1 keeps its sign.
 std::span<const Token> without_brackets(std::span<const Token> tokens) {
     while (tokens.size() > 2 &&
            ((tokens.front().is("(") && tokens.back().is(")")) || (tokens.front().is("<") && tokens.back().is(">"))))
@@ -64,7 +64,7 @@ bool fits(const StateRow& row, std::uint32_t bits) {
         case ValueKind::Enum:
             return d3d9::find_value(row, bits) != nullptr;
         case ValueKind::Flags:
-            // Where the renderer does what the flags say, it knows no others.
+            // If the renderer implements the flags, it supports only the named ones.
             return row.support != d3d9::Support::Mapped || (bits & ~d3d9::all_bits(row)) == 0;
         default:
             return true;

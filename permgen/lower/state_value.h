@@ -1,4 +1,4 @@
-// A state's value, read: Direct3D 9's number for the author's words.
+// Reads a state's value: Direct3D 9's number for the author's words.
 #pragma once
 
 #include <permgen/states.h>
@@ -15,12 +15,12 @@ namespace permgen {
 struct StateValue {
     ValueKind kind = ValueKind::Words;
     std::uint32_t bits = 0;
-    std::string problem;        ///< why there is no value; empty where there is one
-    const Token* at = nullptr;  ///< of the problem: the token in question
+    std::string problem;        ///< the reason for a missing value; empty if there is a value
+    const Token* at = nullptr;  ///< the token that causes the problem
 };
 
-/// Reads `tokens`, which are not empty, as a value of `row`. Kind Expression where they are no literal; whether
-/// the names in it exist is for the caller to find out.
+/// Reads `tokens`, which must not be empty, as a value of `row`. The kind is Expression if they are not a literal; the
+/// caller checks the names in it.
 StateValue read_state_value(const d3d9::StateRow& row, std::span<const Token> tokens);
 
 }  // namespace permgen

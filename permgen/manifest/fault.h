@@ -1,4 +1,4 @@
-// How the loader's parts give up: caught in load_manifest(), never seen outside of this library.
+// The exception of the loader's parts. load_manifest() catches it, so it stays within this library.
 #pragma once
 
 #include <permgen/error.h>
@@ -6,7 +6,7 @@
 namespace permgen {
 
 struct Fault {
-    std::string message;  ///< the sentence that load_manifest() answers with
+    std::string message;  ///< the message of load_manifest()'s Error
     ErrorCode code = ErrorCode::Format;
 };
 

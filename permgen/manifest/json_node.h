@@ -1,4 +1,4 @@
-// A value in the manifest that knows its place, so that an error about it names that place.
+// A value in the manifest together with its place, for error messages.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace permgen {
 
-/// A word of the manifest and what it stands for.
+/// A word of the manifest and its value.
 template <class Value>
 struct NamedValue {
     std::string_view name;
@@ -18,11 +18,11 @@ struct NamedValue {
 
 class JsonNode {
 public:
-    /// `json` and what it holds must outlive this. `place` is empty for the whole manifest.
+    /// `json` must outlive this. `place` is empty for the whole manifest.
     JsonNode(const nlohmann::json& json, std::string file, std::string place = {})
         : json_(&json), file_(std::move(file)), place_(std::move(place)) {}
 
-    /// Each throws a Fault where the field is absent, or where the value is of another type.
+    /// Each throws a Fault if the field is absent or the value has another type.
     JsonNode operator[](std::string_view field) const;
     std::vector<JsonNode> items() const;
     std::string text() const;
@@ -40,7 +40,7 @@ public:
             if (candidate.name == written) return candidate.value;
             known += (known.empty() ? "" : ", ") + std::string(candidate.name);
         }
-        fail("'" + written + "' is none of " + known);
+        fail("'" + written + "' is not one of " + known);
     }
 
     /// Throws a Fault: "FILE: PLACE: WHAT; " and the remedy.

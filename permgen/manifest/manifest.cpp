@@ -30,7 +30,7 @@ constexpr NamedValue<ImageDimension> dimensions[] = {{"1d", ImageDimension::One}
                                                      {"3d", ImageDimension::Three},
                                                      {"cube", ImageDimension::Cube}};
 
-/// Fills a Storage from the manifest, leaves first, as tables point to one another.
+/// Fills a Storage from the manifest, leaves first, because tables point to one another.
 class Loader {
 public:
     Loader(std::filesystem::path folder, LoadedEffect::Storage& storage)
@@ -60,7 +60,7 @@ private:
 
     std::filesystem::path folder_;
     LoadedEffect::Storage& storage_;
-    std::map<std::string, std::span<const std::uint32_t>> codes_;  ///< by file, of those read so far
+    std::map<std::string, std::span<const std::uint32_t>> codes_;  ///< by file, of those already read
     std::span<const Module> modules_;
 };
 
@@ -70,7 +70,7 @@ void check_names(const JsonNode& list, std::span<const T> entries) {
     for (std::size_t i = 0; i < entries.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (entries[i].name == entries[j].name)
-                nodes[i].fail("the name '" + std::string(entries[i].name) + "' stands there twice");
+                nodes[i].fail("the name '" + std::string(entries[i].name) + "' occurs twice");
 }
 
 std::span<const std::uint32_t> Loader::code(const JsonNode& node) {
@@ -196,7 +196,7 @@ void Loader::load(const JsonNode& manifest) {
     effect.techniques = table(manifest["techniques"], &Loader::technique);
 }
 
-/// The manifest itself, or the one that a folder holds.
+/// The manifest, or the only one in a folder.
 std::filesystem::path find_manifest(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::is_directory(path, error)) return path;
@@ -205,7 +205,7 @@ std::filesystem::path find_manifest(const std::filesystem::path& path) {
         if (entry->path().filename().string().ends_with(manifest_ending)) found.push_back(entry->path());
     if (error) throw Fault{path.string() + ": the folder cannot be read (" + error.message() + ")", ErrorCode::File};
     if (found.size() == 1) return found.front();
-    const std::string remedy = found.empty() ? "; let permgen compile write into it" : "; name one of them";
+    const std::string remedy = found.empty() ? "; run permgen compile with it as the folder" : "; name one of them";
     throw Fault{path.string() + ": the folder holds " + std::to_string(found.size()) + " manifests (*" +
                 std::string(manifest_ending) + ")" + remedy, ErrorCode::File};
 }

@@ -1,4 +1,4 @@
-// Files as words and text.
+// Reads files as words and text.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace permgen {
 
-/// The bytes of a regular file; throws a Fault where it cannot be read.
+/// The bytes of a regular file; throws a Fault if it cannot be read.
 std::string read_bytes(const std::filesystem::path& file);
 
-/// The words of a .spv file, as permgen writes it: little-endian. Throws a Fault where it is no SPIR-V.
+/// The words of a .spv file, little-endian as permgen writes it. Throws a Fault if it is not SPIR-V.
 std::vector<std::uint32_t> read_spirv(const std::filesystem::path& file);
 
 }  // namespace permgen

@@ -1,4 +1,4 @@
-// Where a loaded effect's tables lie. Nothing in here moves once it is put in.
+// The memory of a loaded effect's tables. Its elements never move.
 #pragma once
 
 #include <permgen/manifest.h>

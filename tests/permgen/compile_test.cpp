@@ -204,15 +204,15 @@ protected:
 
 TEST_F(Meant, AnotherLocation) {
     effect.modules[pixel].inputs[1].location = 5;
-    EXPECT_NE(complaint().find("came out at location 1"), std::string::npos);
+    EXPECT_NE(complaint().find("is at location 1"), std::string::npos);
 }
 TEST_F(Meant, AnotherWidth) {
     effect.modules[0].inputs[0].components = 4;
-    EXPECT_NE(complaint().find("POSITION0 at location 0 is float3, but float4 was meant"), std::string::npos);
+    EXPECT_NE(complaint().find("POSITION0 at location 0 is float3, but float4 was intended"), std::string::npos);
 }
 TEST_F(Meant, AnotherType) {
     effect.modules[pixel].inputs[0].type = ScalarType::Int;
-    EXPECT_NE(complaint().find("is float4, but int4 was meant"), std::string::npos);
+    EXPECT_NE(complaint().find("is float4, but int4 was intended"), std::string::npos);
 }
 TEST_F(Meant, AnOutputMore) {
     effect.modules[0].outputs.push_back({"TEXCOORD7", false, 7, 4, ScalarType::Float, {}});
@@ -228,7 +228,7 @@ TEST_F(Meant, ASystemValueLess) {
 }
 TEST_F(Meant, AnotherBinding) {
     effect.resources[1].binding = 7;
-    EXPECT_NE(complaint().find("'CookieSampler' came out at set 0, binding 1"), std::string::npos);
+    EXPECT_NE(complaint().find("'CookieSampler' is at set 0, binding 1"), std::string::npos);
 }
 TEST_F(Meant, AnotherName) {
     effect.resources[1].name = "Cookie";
@@ -236,7 +236,7 @@ TEST_F(Meant, AnotherName) {
 }
 TEST_F(Meant, AnotherDimension) {
     effect.resources[2].dimension = ImageDimension::Cube;
-    EXPECT_NE(complaint().find("is a sampler3D, but a samplerCUBE was meant"), std::string::npos);
+    EXPECT_NE(complaint().find("is a sampler3D, but a samplerCUBE was intended"), std::string::npos);
 }
 TEST_F(Meant, ASwitchMore) {
     effect.modules[pixel].axes.push_back({"bFog", 2, ScalarType::Bool, 0, {}});
@@ -244,7 +244,7 @@ TEST_F(Meant, ASwitchMore) {
 }
 TEST_F(Meant, ASwitchLess) {
     effect.modules[pixel].axes.pop_back();
-    EXPECT_NE(complaint().find("specialization constant 1 was not meant to be"), std::string::npos);
+    EXPECT_NE(complaint().find("specialization constant 1 was not intended"), std::string::npos);
 }
 TEST_F(Meant, AnUnusedInputMayGo) {
     effect.modules[0].inputs.push_back({"NORMAL0", false, 3, 3, ScalarType::Float, {}});

@@ -1,5 +1,5 @@
-// Loads at run time what `permgen compile` wrote into a folder: the very tables that the generated header
-// holds, for programs that reload effects while they run and for tools that meet an effect for the first time.
+// Loads the output of `permgen compile` at run time: the same tables as in the generated header, for programs that
+// reload effects and for tools that read unknown effects.
 #pragma once
 
 #include <permgen/error.h>
@@ -10,7 +10,7 @@
 
 namespace permgen {
 
-/// An effect and the memory its tables lie in. Moving one leaves every pointer into its tables valid.
+/// An effect and the memory of its tables. Pointers into the tables stay valid when it is moved.
 class LoadedEffect {
 public:
     struct Storage;  ///< the library's own
@@ -19,20 +19,20 @@ public:
     LoadedEffect& operator=(LoadedEffect&&) noexcept;
     ~LoadedEffect();
 
-    /// What the generated header calls `effect`; frozen modules are there where --freeze wrote them. Valid as
-    /// long as this object, or the one that it was moved into, lives. Must not be called on a moved-from object.
+    /// The generated header's `effect`; it has frozen modules if --freeze wrote them. Valid during the life of this
+    /// object, or of the one that it was moved into. Must not be called on a moved-from object.
     const Effect& tables() const;
 
 private:
     std::unique_ptr<const Storage> storage_;
 };
 
-/// Loads `manifest`, a NAME.fx.json or a folder that holds only one of them, and the .spv files that it names,
-/// which lie beside it.
+/// Loads `manifest`, a NAME.fx.json or a folder with exactly one of them, and the .spv files that it names, from the
+/// same folder.
 ///
-/// Errors: File where a file cannot be read; Format where the JSON is broken or of another format, where a field is absent or
-/// of the wrong type, where a name (of a type, stage, kind, module, resource or block) is unknown, where a
-/// file's name leads out of the folder, and where a .spv is empty, torn or no SPIR-V.
+/// Errors: File if a file cannot be read; Format if the JSON is broken or has another format, a field is absent or has
+/// the wrong type, a name (of a type, stage, kind, module, resource or block) is unknown, a file's name leads out of
+/// the folder, or a .spv is empty, truncated or not SPIR-V.
 Result<LoadedEffect> load_manifest(const std::filesystem::path& manifest);
 
 }  // namespace permgen

@@ -1,5 +1,5 @@
-// Direct3D 9's states as enums and numbers: what a pass or a sampler sets, without a string to compare.
-// Plain data, no dependencies. Values are Direct3D 9's own numbers (d3d9types.h).
+// Direct3D 9's states as enums and numbers: the settings of a pass or a sampler, without string comparisons. Plain
+// data, no dependencies. Values are Direct3D 9's own numbers (d3d9types.h).
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace permgen {
 
 /// A state, by its name in effect files.
 enum class StateId : std::uint16_t {
-    Unknown,  ///< of a State that somebody wrote without one
+    Unknown,  ///< a State without an id
 
     // Render states (D3DRENDERSTATETYPE).
     ZEnable,
@@ -204,7 +204,7 @@ enum class StateId : std::uint16_t {
 
 /// What State::bits holds.
 enum class ValueKind : std::uint8_t {
-    Words,       ///< nothing: the value is known only as the author's words
+    Words,       ///< nothing: the value is only in the author's words
     Bool,        ///< 0 or 1
     Enum,        ///< one of the state's named values
     Integer,     ///< a DWORD
@@ -212,7 +212,7 @@ enum class ValueKind : std::uint8_t {
     Flags,       ///< named bits, joined
     Colour,      ///< 0xAARRGGBB, a D3DCOLOR
     Object,      ///< nothing: a texture, a vector or a matrix
-    Expression,  ///< nothing: computed from parameters, which permgen does not do
+    Expression,  ///< nothing: depends on parameters; permgen does not compute it
 };
 
 /// D3DBLEND: SrcBlend, DestBlend, SrcBlendAlpha, DestBlendAlpha.
@@ -236,7 +236,7 @@ enum class BlendOp : std::uint32_t { Add = 1, Subtract, RevSubtract, Min, Max };
 /// D3DCMPFUNC: ZFunc.
 enum class Compare : std::uint32_t { Never = 1, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
 
-/// D3DCULL: CullMode names the winding that is dropped.
+/// D3DCULL: CullMode names the winding that is culled.
 enum class Cull : std::uint32_t { None = 1, Cw, Ccw };
 
 /// D3DTEXTUREFILTERTYPE: MinFilter, MagFilter, MipFilter.
