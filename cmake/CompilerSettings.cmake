@@ -1,5 +1,5 @@
-# What every target of this project is compiled with, on an interface target of its own so that nothing
-# leaks into a project that includes this one.
+# The compiler settings of this project's targets, on an interface target, so that they do not leak into a project that
+# includes this one.
 add_library(tyndall_compiler_settings INTERFACE)
 target_compile_options(tyndall_compiler_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                        -Wno-sign-conversion -Wnon-virtual-dtor)

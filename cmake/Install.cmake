@@ -8,13 +8,13 @@ set_target_properties(tyndall_plan PROPERTIES EXPORT_NAME plan)
 set_target_properties(tyndall_runtime PROPERTIES EXPORT_NAME runtime)
 
 install(TARGETS permgen permgen_tables permgen_manifest EXPORT permgenTargets)
-# Two sets, so that whoever asks for the component plan alone never names Vulkan.
+# Two sets, so that the component plan alone does not need Vulkan.
 install(TARGETS tyndall_plan EXPORT tyndallPlanTargets)
 install(TARGETS tyndall_runtime EXPORT tyndallRuntimeTargets)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/permgen/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/plan/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-# The runtime's own effects, for whoever compiles builds of them to give to a DeviceContext.
+# The runtime's effects, for programs that give their own builds of them to a DeviceContext.
 foreach(shader IN ITEMS slices.fx composite.fx shadow_map.fx shadow.fxh)
   install(FILES "${PROJECT_SOURCE_DIR}/shaders/${shader}" DESTINATION "${CMAKE_INSTALL_DATADIR}/tyndall/shaders")
 endforeach()
@@ -36,7 +36,7 @@ foreach(package IN ITEMS permgen tyndall)
   configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/${package}Config.cmake.in"
                                 "${PROJECT_BINARY_DIR}/cmake/${package}Config.cmake"
                                 INSTALL_DESTINATION "${destination}")
-  # Before 1.0 every minor version may break what was there.
+  # Before 1.0 every minor version may break compatibility.
   write_basic_package_version_file("${PROJECT_BINARY_DIR}/cmake/${package}ConfigVersion.cmake"
                                    COMPATIBILITY SameMinorVersion)
   install(FILES "${PROJECT_BINARY_DIR}/cmake/${package}Config.cmake"

@@ -1,21 +1,21 @@
 # permgen_effect(TARGET <target> SOURCE <file.fx> [NAMESPACE <ns>] [INCLUDE <folder>...] [DEFINE <NAME[=VALUE]>...]
 #                [FREEZE])
 #
-# Compiles an effect whenever it, a file that it includes or permgen itself has changed, and lets the target
-# say `#include <file.fx.h>`. Call it in the folder that made the target; a target may have several effects.
-# The manifest and the .spv files lie beside the header, in the folder ${<target>_EFFECTS} says.
+# Compiles an effect whenever it, a file that it includes or permgen itself has changed. The target can then `#include
+# <file.fx.h>`. Call it in the folder that made the target; a target may have several effects. The manifest and the .spv
+# files are beside the header, in the folder ${<target>_EFFECTS}.
 function(permgen_effect)
   cmake_parse_arguments(PARSE_ARGV 0 effect "FREEZE" "TARGET;SOURCE;NAMESPACE" "INCLUDE;DEFINE")
   if(effect_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "permgen_effect: I do not know ${effect_UNPARSED_ARGUMENTS}")
+    message(FATAL_ERROR "permgen_effect: unknown arguments: ${effect_UNPARSED_ARGUMENTS}")
   endif()
   if(NOT effect_TARGET OR NOT effect_SOURCE)
-    message(FATAL_ERROR "permgen_effect: say TARGET <target> and SOURCE <file.fx>")
+    message(FATAL_ERROR "permgen_effect: TARGET <target> and SOURCE <file.fx> are required")
   endif()
   if(NOT TARGET ${effect_TARGET})
     message(FATAL_ERROR "permgen_effect: there is no target ${effect_TARGET} (yet)")
   endif()
-  # A custom command is known only in the folder that states it.
+  # A custom command is known only in the folder that defines it.
   get_target_property(home ${effect_TARGET} SOURCE_DIR)
   if(NOT home STREQUAL CMAKE_CURRENT_SOURCE_DIR)
     message(FATAL_ERROR "permgen_effect: call it in ${home}, where the target ${effect_TARGET} is made")
@@ -41,8 +41,8 @@ function(permgen_effect)
     list(APPEND options -D "${define}")
   endforeach()
 
-  # permgen leaves a header alone that would not change, so nothing that includes it is compiled again.
-  # Ninja knows that such a step is done all the same; Make compares time stamps.
+  # permgen does not rewrite an unchanged header, so its includers are not compiled again. Ninja still records the step
+  # as done; Make compares time stamps.
   set(touch)
   if(NOT CMAKE_GENERATOR MATCHES "Ninja")
     set(touch COMMAND ${CMAKE_COMMAND} -E touch "${header}")

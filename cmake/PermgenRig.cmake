@@ -1,16 +1,15 @@
 # permgen_rig(NAME <name> EFFECT <file.fx> FIXTURE <file.json> GOLDENS <folder> [REPORT <folder>]
 #             [INCLUDE <folder>...] [DEFINE <NAME[=VALUE]>...])
 #
-# Tries out every technique of an effect: one ctest test each, called <name>.<technique>, that draws its passes with
-# what the fixture gives them and holds them against the goldens in the sources. Failures are shown in
-# <folder>/index.html; the tests have the labels
-# rig and vulkan. By default REPORT is rig-report in the build folder, for all effects together.
+# Tests every technique of an effect: one ctest test each, called <name>.<technique>, draws its passes with the
+# fixture's resources and compares them with the goldens in the sources. Failures are shown in <folder>/index.html; the
+# tests have the labels rig and vulkan. By default REPORT is rig-report in the build folder, for all effects together.
 #
-# Goldens are made by the target <name>_update_goldens, which fails, because a run that makes its own truth has
-# tested nothing.
+# The target <name>_update_goldens makes the goldens. It fails, because a run that makes its own goldens has tested
+# nothing.
 #
-# The tests draw with the Vulkan driver whose manifest PERMGEN_RIG_DRIVER names: Mesa's lavapipe where it is installed,
-# so that pictures are the same on every machine, with or without a GPU.
+# PERMGEN_RIG_DRIVER names the manifest of the Vulkan driver that the tests draw with. The default is Mesa's lavapipe if
+# it is installed, so that pictures are the same on every machine, with or without a GPU.
 file(GLOB permgen_rig_lavapipe LIST_DIRECTORIES false /usr/share/vulkan/icd.d/lvp_icd*.json
      /usr/local/share/vulkan/icd.d/lvp_icd*.json /etc/vulkan/icd.d/lvp_icd*.json)
 list(APPEND permgen_rig_lavapipe "")
@@ -21,10 +20,10 @@ unset(permgen_rig_lavapipe)
 function(permgen_rig)
   cmake_parse_arguments(PARSE_ARGV 0 rig "" "NAME;EFFECT;FIXTURE;GOLDENS;REPORT" "INCLUDE;DEFINE")
   if(rig_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "permgen_rig: I do not know ${rig_UNPARSED_ARGUMENTS}")
+    message(FATAL_ERROR "permgen_rig: unknown arguments: ${rig_UNPARSED_ARGUMENTS}")
   endif()
   if(NOT rig_NAME OR NOT rig_EFFECT OR NOT rig_FIXTURE OR NOT rig_GOLDENS)
-    message(FATAL_ERROR "permgen_rig: say NAME <name> EFFECT <file.fx> FIXTURE <file.json> GOLDENS <folder>")
+    message(FATAL_ERROR "permgen_rig: NAME <name> EFFECT <file.fx> FIXTURE <file.json> GOLDENS <folder> are required")
   endif()
   if(NOT TARGET permgen::rig)
     message(FATAL_ERROR "permgen_rig: this permgen was built without permgen-rig; build it with TYNDALL_BUILD_APPS=ON")
@@ -58,7 +57,7 @@ function(permgen_rig)
     COMMENT "Compiling effect ${effect}.fx for ${rig_NAME}"
     VERBATIM)
 
-  # Which techniques there are is known once the effect is compiled: ctest reads the list when it runs.
+  # The list of techniques exists only after the effect is compiled, so ctest reads it when it runs.
   set(tests "${folder}/tests.cmake")
   add_custom_command(
     OUTPUT "${tests}"
@@ -85,7 +84,7 @@ function(permgen_rig)
     COMMAND ${CMAKE_COMMAND} -E env ${environment} $<TARGET_FILE:permgen::rig> "${manifest}" "${rig_FIXTURE}"
             --goldens "${rig_GOLDENS}" --report "${rig_REPORT}" --update-goldens
     DEPENDS "${header}"
-    COMMENT "Making the goldens of ${rig_NAME}: this fails; look at them, then run the tests"
+    COMMENT "Making the goldens of ${rig_NAME}: this target always fails; look at them, then run the tests"
     VERBATIM)
   add_dependencies(${rig_NAME}_update_goldens ${rig_NAME}_rig)
 endfunction()

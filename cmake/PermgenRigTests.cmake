@@ -1,5 +1,6 @@
-# What permgen_rig() runs once an effect is compiled: writes TESTS, ctest's tests for the techniques of MANIFEST.
-# cmake -D NAME=... -D RIG=... -D MANIFEST=... -D FIXTURE=... -D GOLDENS=... -D REPORT=... -D DRIVER=... -D TESTS=... -P this
+# permgen_rig() runs this after an effect is compiled: it writes TESTS, ctest's tests for the techniques of MANIFEST.
+# cmake -D NAME=... -D RIG=... -D MANIFEST=... -D FIXTURE=... -D GOLDENS=... -D REPORT=... -D DRIVER=... -D TESTS=... -P
+# this
 execute_process(COMMAND "${RIG}" "${MANIFEST}" --list RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "${text}")

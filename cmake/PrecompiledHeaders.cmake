@@ -1,6 +1,6 @@
-# Precompiled headers, for the time of a clean build only: no source relies on them, and what is installed does not
-# know them. Two sets, because GCC takes a precompiled header with the same flags alone: libraries and programs use
-# the build type's optimization, tests -O1 (see tests/CMakeLists.txt).
+# Precompiled headers only make a clean build faster: no source needs them, and they are not installed. There are two
+# sets, because GCC accepts a precompiled header only with the same flags: libraries and programs use the build type's
+# optimization, tests -O1 (see tests/CMakeLists.txt).
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 set(tyndall_precompiled
@@ -10,7 +10,7 @@ set(tyndall_precompiled
 # tyndall_precompile(<name> [HEADERS <header>...] [OPTIONS <option>...]): makes the set.
 function(tyndall_precompile name)
   cmake_parse_arguments(PARSE_ARGV 1 set "" "" "HEADERS;OPTIONS")
-  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" CONTENT "// Only its precompiled header is of use.\n")
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" CONTENT "// Only its precompiled header is used.\n")
   add_library(${name} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
   target_compile_options(${name} PRIVATE ${set_OPTIONS})
   target_link_libraries(${name} PRIVATE glm::glm nlohmann_json::nlohmann_json tyndall_compiler_settings)

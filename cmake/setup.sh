@@ -11,7 +11,7 @@ fail() {
     exit 1
 }
 
-# Installs what is missing of cmake/packages.txt; asks for nothing and touches nothing where all is there.
+# Installs the missing packages of cmake/packages.txt, without questions; does nothing if all are installed.
 install_packages() {
     local wanted missing=() package as_root=()
     mapfile -t wanted < <(grep -Ev '^ *(#|$)' "$root/cmake/packages.txt")
@@ -28,7 +28,7 @@ install_packages() {
     say "packages: installing ${missing[*]}"
     if ((EUID != 0)); then
         command -v sudo >/dev/null ||
-            fail "installing packages takes root, and there is no sudo" \
+            fail "installing packages needs root, and there is no sudo" \
                  "as root, run: apt-get update && apt-get install --no-install-recommends ${missing[*]}"
         as_root=(sudo)
     fi
@@ -36,7 +36,7 @@ install_packages() {
         fail "apt-get update" "check the network and /etc/apt/sources.list (Debian 12, component main), then run this again"
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends \
         -o Dpkg::Use-Pty=0 install "${missing[@]}" ||
-        fail "apt-get install" "read the message above; where another apt-get holds the lock, wait for it and run this again"
+        fail "apt-get install" "read the message above; if another apt-get holds the lock, wait for it and run this again"
 }
 
 # configure_and_build PRESET [TARGET]...
@@ -47,14 +47,14 @@ configure_and_build() {
     mkdir -p "$root/build"
     (cd "$root" && cmake --preset "$preset" >build/configure.log 2>&1) || {
         cat "$root/build/configure.log" >&2
-        fail "cmake --preset $preset" "read the message above; a build folder of another place or compiler helps itself by: rm -r build/$preset"
+        fail "cmake --preset $preset" "read the message above; if the build folder belongs to another path or compiler, run: rm -r build/$preset"
     }
     say "build: build/$preset (a first build takes some minutes)"
     (cd "$root" && cmake --build --preset "$preset" -j "$(nproc)" ${1:+--target "$@"}) ||
         fail "cmake --build --preset $preset" "read the first error above; after an update of the system: rm -r build/$preset, then run this again"
 }
 
-# Draws on lavapipe, whatever GPUs the machine has: same pictures everywhere.
+# Draws on lavapipe even if the machine has a GPU, so that pictures are the same everywhere.
 use_lavapipe() {
     local manifest
     manifest=$(ls /usr/share/vulkan/icd.d/lvp_icd.*.json 2>/dev/null | head -n 1) || true
