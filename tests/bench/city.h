@@ -21,8 +21,8 @@ struct City {
     }
 };
 
-/// Lamps 6 m up, shining down at 70 degrees; a house in every fourth block. From the street houses hide what is farther
-/// than 150 m. A frame of 1920 x 1080, everything planned that can be.
+/// Lamps 6 m up, shining down at 70 degrees; a house in every fourth block. From the street, houses hide everything
+/// beyond 150 m. A frame of 1920 x 1080, with all planning options on.
 inline City city(std::size_t lamps) {
     City city;
     const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(lamps))));

@@ -1,5 +1,5 @@
-// What a frame costs as lights grow many: planning it, uploading and recording it, and drawing it as planned and as it
-// were if nothing were left out. Time is that of all lights; the counter s_per_light divides it.
+// Costs of a frame with many lights: planning, uploading and recording, and drawing it as planned and with nothing left
+// out. Times are for all lights; the counter s_per_light divides them.
 #include <benchmark/benchmark.h>
 #include <headless/commands.h>
 #include <headless/device.h>
@@ -34,7 +34,7 @@ void planCity(benchmark::State& state) {
     perLight(state, city.lights.size(), plan);
 }
 
-/// One for the whole program: some drivers do not start a second time.
+/// One for the whole program: some drivers cannot start twice.
 const Result<headless::Device>& theDevice() {
     static const auto device = headless::Device::create();
     return device;
@@ -79,7 +79,7 @@ void recordCity(benchmark::State& state) {
     auto frame = bench::cityFrame(*device, city, fullHd);
     if (!frame) return state.SkipWithError(frame.error().message.c_str());
     const CommandBuffer commands(*device);
-    // Recorded and thrown away: what the GPU would do with it is another matter.
+    // Recorded and discarded: this measures the CPU only.
     for (auto _ : state) {
         commands.begin();
         auto done = frame->renderer.upload(frame->data, *plan);

@@ -1,6 +1,6 @@
-// What making the pipelines of all techniques costs: one after the other, on all cores, and from a cache that
-// was sealed and opened again. Drivers keep caches of their own: switch them off to measure (NVIDIA's by
-// __GL_SHADER_DISK_CACHE=0, Mesa's by MESA_SHADER_CACHE_DISABLE=1). lavapipe compiles when it first draws, not here.
+// The time to make the pipelines of all techniques: one after the other, on all cores, and from a cache that was sealed
+// and opened again. Drivers have their own caches: switch them off to measure (NVIDIA's by __GL_SHADER_DISK_CACHE=0,
+// Mesa's by MESA_SHADER_CACHE_DISABLE=1). lavapipe compiles at the first draw, not here.
 #include <benchmark/benchmark.h>
 #include <headless/device.h>
 #include <tyndall/pipeline_cache.h>
@@ -42,7 +42,7 @@ VkPipelineCache makeCache(std::span<const std::byte> data) {
     return cache;
 }
 
-/// What a cache holds once everything was made with it.
+/// The data of a cache after making all pipelines with it.
 std::vector<std::byte> dataOf(VkPipelineCache cache) {
     std::size_t size = 0;
     vkGetPipelineCacheData(device().device(), cache, &size, nullptr);

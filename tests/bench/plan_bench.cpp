@@ -1,4 +1,4 @@
-// What planning costs on the CPU: a hundred slices a light, all of them in view.
+// The CPU time of planning: a hundred slices per light, all of them in view.
 #include <benchmark/benchmark.h>
 #include <tyndall/plan.h>
 
@@ -8,7 +8,7 @@ std::vector<tyndall::Light> hall(std::int64_t count) {
     std::vector<tyndall::Light> lights;
     for (std::int64_t i = 0; i < count; ++i) {
         tyndall::Light light;
-        // Neighbouring lamps a handbreadth apart, each turned a little further, so that no two slices are alike.
+        // Neighbouring lamps are 10 cm apart, each turned a little further, so that all slices differ.
         const double turn = 0.001 * static_cast<double>(i);
         light.worldFromLight = glm::dmat4(glm::dvec4(glm::cos(turn), 0.0, -glm::sin(turn), 0.0), {0.0, 1.0, 0.0, 0.0},
                                           {glm::sin(turn), 0.0, glm::cos(turn), 0.0},

@@ -8,10 +8,10 @@ from loop import first_failure
 from mutant import ROOT, BadMutant, Mutant
 
 PRESET = "build/default"
-SECONDS = 900  # a test program that takes longer hangs, which is noticed too
+SECONDS = 900  # a test program that takes longer hangs, which counts as detection
 
-# Programs in the order of what they cost, and the data files whose faults each can notice. Goldens are left out, as
-# for the shaders.
+# Programs in the order of their cost, and the data files whose faults each can detect. Goldens are left out, as for the
+# shaders.
 PROGRAMS = [
     ("tyndall_states_test", ["record"]),
     ("tyndall_plan_test", ["plan", "needs", "weights"]),
@@ -23,7 +23,7 @@ PROGRAMS = [
 
 
 def copy_tree(folder: Path) -> None:
-    """Copies what git tracks or would; files that have not changed keep their time, so that a build goes on from there."""
+    """Copies files that git tracks or would track; unchanged files keep their time, so that builds are incremental."""
     names = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True,
                            capture_output=True, text=True).stdout
     for name in names.split("\0"):
@@ -43,8 +43,7 @@ def build(folder: Path, jobs: int, targets: list[str]) -> subprocess.CompletedPr
 
 class Runner:
     def __init__(self, rooms: dict[str, str], folder: Path, jobs: int):
-        """`rooms`: by mutant's id, the data file it stands in. Builds and tests the tree without a fault: a test that
-        fails anyway says nothing."""
+        """`rooms`: by mutant's id, the data file it stands in. Builds and tests the tree without a fault: a test that fails anyway detects nothing."""
         self.rooms, self.folder, self.jobs = rooms, folder, jobs
         copy_tree(folder)
         configure = ["cmake", "--preset", "default"]
@@ -58,7 +57,7 @@ class Runner:
             raise BadMutant(f"the copy in {folder} does not build without a fault:\n{done.stdout[-3000:]}")
         for name, _ in PROGRAMS:
             if by := self.failure(name):
-                raise BadMutant(f"{by} fails without a fault; mend that first")
+                raise BadMutant(f"{by} fails without a fault; fix that first")
 
     def killer(self, mutant: Mutant) -> str | None:
         source = self.folder / mutant.file
@@ -78,7 +77,7 @@ class Runner:
             source.write_text(text)
 
     def failure(self, name: str) -> str | None:
-        """The first test of the program that fails, or None. Wherever below tests/ its room is."""
+        """The first failing test of the program, or None. The program may be in any folder below tests/."""
         programs = list((self.folder / PRESET / "tests").glob(f"*/{name}"))
         if len(programs) != 1:
             raise BadMutant(f"{name} is built {len(programs)} times below {self.folder / PRESET}/tests, not once")

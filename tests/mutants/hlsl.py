@@ -9,10 +9,10 @@ from loop import first_failure
 from mutant import ROOT, BadMutant, Mutant
 
 EFFECTS = ["slices", "composite", "shadow_map"]
-SECONDS = 240  # a test program that takes longer hangs, which is noticed too
+SECONDS = 240  # a test program that takes longer hangs, which counts as detection
 
-# What is asked first: tests that are likely to notice. Then everything that draws. Goldens are left out: they
-# notice every change, and what is asked here is whether laws and oracles do.
+# First the tests that are likely to detect the fault, then all that draw. Goldens are left out: they detect every
+# change, and the question here is whether laws and oracles do.
 LAWS = ("permutation", "*OrientationTest*:*LawTest*:*MaskTest*/clip_noise_shadow_cookie_technique*")
 ORACLE = ("permutation", "*TechniqueTest*/clip_noise_shadow_cookie_technique")
 LIKELY = {
@@ -25,7 +25,7 @@ ALL = [("permutation", "-*GoldenTest*"), ("record", "*")]
 
 
 def compile_effects(mutant: Mutant | None, permgen: Path, folder: Path) -> Path:
-    """The manifests of the effects that the fault reaches, or of all; raises BadMutant where one does not compile."""
+    """The manifests of the effects that the fault affects, or of all; raises BadMutant if one does not compile."""
     shaders = folder / "shaders"
     shutil.copytree(ROOT / "shaders", shaders)
     if mutant:
@@ -54,13 +54,13 @@ class Runner:
                 raise BadMutant(f"there is no {program}; build it first, or give --build")
         likely = sorted({batch for batches in LIKELY.values() for batch in batches})
         if by := self.failure(None, likely):
-            raise BadMutant(f"{by} fails without a fault; mend that first")
+            raise BadMutant(f"{by} fails without a fault; fix that first")
 
     def killer(self, mutant: Mutant) -> str | None:
         return self.failure(mutant, LIKELY[mutant.file] + ALL)
 
     def failure(self, mutant: Mutant | None, batches: list) -> str | None:
-        """The first test of the batches that fails, with the fault in where there is one."""
+        """The first failing test of the batches, with the fault if one is given."""
         with tempfile.TemporaryDirectory(prefix="tyndall_mutant_") as folder:
             effects = compile_effects(mutant, self.permgen, Path(folder))
             environment = {"TYNDALL_EFFECTS": str(effects), "TYNDALL_REPORT": f"{folder}/report"}

@@ -1,4 +1,4 @@
-"""What both kinds of mutants share: running a test program, and the loop over mutants."""
+"""Shared by both kinds of mutants: running a test program, and the loop over mutants."""
 
 import os
 import re
@@ -11,7 +11,7 @@ from mutant import BadMutant, Mutant
 
 
 def first_failure(program: Path, filter: str, seconds: int, environment: dict[str, str] | None = None) -> str | None:
-    """The first test of a googletest program that fails, or None. A program that hangs fails too."""
+    """The first failing test of a googletest program, or None. A program that hangs fails, too."""
     command = [program, f"--gtest_filter={filter}", "--gtest_fail_fast", "--gtest_brief=1"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=seconds,
@@ -26,9 +26,9 @@ def first_failure(program: Path, filter: str, seconds: int, environment: dict[st
 
 def run(mutants: list[Mutant],
         killer: Callable[[Mutant], str | None]) -> tuple[dict[str, str], list[Mutant], list[str]]:
-    """What killed each mutant, those that nothing killed, and why some are of no use.
+    """The test that killed each mutant, the survivors, and the reasons why some mutants are invalid.
 
-    `killer` names the first test that fails with the fault in, or None; it raises BadMutant where the fault does not build."""
+    `killer` names the first test that fails with the fault, or None; it raises BadMutant if the fault does not build."""
     killed, survivors, useless = {}, [], []
     for mutant in mutants:
         start = time.monotonic()

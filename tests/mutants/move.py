@@ -1,4 +1,4 @@
-"""Pins follow their text: where a file was renamed or a passage moved to another file, so does the mutant."""
+"""Updates the mutants' files after a file was renamed or a passage was moved to another file."""
 
 import dataclasses
 import json
@@ -15,7 +15,7 @@ def git(*arguments: str) -> list[str]:
 
 
 def renames() -> dict[str, str]:
-    """Old names and new ones as git's history has them, the latest rename of a name first to count."""
+    """Old and new names from git's history; the latest rename of a name wins."""
     found: dict[str, str] = {}
     for line in git("log", "--format=", "--name-status", "--diff-filter=R", "--find-renames=40%", "HEAD"):
         _, old, new = line.split("\t")
@@ -27,7 +27,7 @@ def renames() -> dict[str, str]:
 
 
 def followed(name: str, renamed: dict[str, str]) -> str:
-    """Where the file is now, through any number of renames."""
+    """The file's present name, after any number of renames."""
     seen = {name}
     while not (ROOT / name).is_file() and name in renamed and renamed[name] not in seen:
         name = renamed[name]
@@ -36,13 +36,13 @@ def followed(name: str, renamed: dict[str, str]) -> str:
 
 
 def moved(mutant: Mutant, renamed: dict[str, str], sources: list[str]) -> Mutant | None:
-    """The mutant at the place where its text is now, or None where that is not certain."""
+    """The mutant with its text's present file, or None if that is not certain."""
     if not stale([mutant]):
         return mutant
     there = dataclasses.replace(mutant, file=followed(mutant.file, renamed))
     if not stale([there]):
         return there
-    # Not in the renamed file: a passage that stands in one file alone, and there as often as the pin says.
+    # Not in the renamed file: exactly one other file must hold the passage, as often as the pin says.
     holders = [name for name in sources if mutant.find in (ROOT / name).read_text()]
     if len(holders) == 1:
         there = dataclasses.replace(mutant, file=holders[0])
@@ -54,7 +54,7 @@ def moved(mutant: Mutant, renamed: dict[str, str], sources: list[str]) -> Mutant
 def move(old: str | None, new: str | None) -> int:
     """Rewrites the data files. With `old` and `new`, pins of that file only; the number of pins rewritten.
 
-    Raises BadMutant for pins that fit no place, after it has written those that do."""
+    Raises BadMutant for pins without a match, after it has written the others."""
     renamed = {old: new} if old and new else renames()
     tracked = git("ls-files", "--cached", "--others", "--exclude-standard")
     count, lost = 0, []

@@ -1,4 +1,4 @@
-"""Single faults as data: where a text stands, what takes its place, and what that breaks."""
+"""Single faults as data: a file and a text in it, its replacement, and what that breaks."""
 
 import json
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ ROOT = HERE.parent.parent
 
 
 class BadMutant(Exception):
-    """A mutant that says nothing about the tests: its text is gone, or it does not build."""
+    """A mutant that cannot test the tests: its text is gone, or it does not build."""
 
 
 @dataclass(frozen=True)
@@ -18,12 +18,12 @@ class Mutant:
     file: str  # relative to the root
     find: str
     replace: str
-    breaks: str  # what a person would notice
-    index: int | None = None  # which of several occurrences, from 0; absent: there must be one
-    equivalent: str | None = None  # the proof that no test could notice
+    breaks: str  # the visible effect
+    index: int | None = None  # which of several occurrences, from 0; absent: there must be exactly one
+    equivalent: str | None = None  # the proof that no test can detect it
 
     def applied(self, text: str) -> str:
-        """`text` with the fault in it."""
+        """`text` with the fault."""
         count = text.count(self.find)
         wanted = 1 if self.index is None else self.index + 1
         if count < wanted or (self.index is None and count > 1):
@@ -54,7 +54,7 @@ def load(language: str) -> list[Mutant]:
 
 
 def stale(mutants: list[Mutant]) -> list[str]:
-    """Why each mutant that no longer applies does not, one sentence each."""
+    """One sentence for each mutant that no longer applies."""
     reasons = []
     for mutant in mutants:
         try:
@@ -67,7 +67,7 @@ def stale(mutants: list[Mutant]) -> list[str]:
 
 
 def check(mutants: list[Mutant]) -> None:
-    """Raises BadMutant, which names all mutants whose text is not in its file any more."""
+    """Raises BadMutant, which names all mutants whose text is missing from its file."""
     if reasons := stale(mutants):
         raise BadMutant("\n".join([f"{len(reasons)} of {len(mutants)} mutants do not apply:", *reasons]))
 

@@ -1,4 +1,4 @@
-# What the scripts of this folder share: run(), which stops where a command fails, and the sanitizers' flags.
+# Shared by the scripts of this folder: run(), which stops if a command fails, and the sanitizers' flags.
 function(run)
   cmake_parse_arguments(arg "" "MESSAGE;OUT" "COMMAND" ${ARGN})
   execute_process(COMMAND ${arg_COMMAND} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)

@@ -1,4 +1,4 @@
-// The program as its users run it: command line in, exit status, files and sentences out.
+// The complete program: its exit status, files and messages for a command line.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -46,7 +46,7 @@ protected:
     }
     ~Cli() override { fs::remove_all(folder); }
 
-    /// Runs `permgen ARGUMENTS` by the shell in `folder`, with `before` in front of it.
+    /// Runs `permgen ARGUMENTS` with the shell in `folder`, after `before`.
     Outcome permgen(const std::string& arguments, const std::string& before = {},
                     const std::string& standard_output = ".out") const {
         const std::string command = "cd '" + folder.string() + "' && " + before + " '" PERMGEN_PROGRAM "' " +
@@ -185,7 +185,7 @@ TEST_F(Cli, DefinitionsReachTheEffect) {
     EXPECT_EQ(permgen("list -D DEPTH=0.25 -D ONE good.fx").status, 0);
 }
 
-// glslang reserves these words; the tables carry them as the author wrote them.
+// glslang reserves these words; the tables hold them as the author wrote them.
 TEST_F(Cli, NamesThatGlslangReservesComeOutAsWritten) {
     put("words.fx",
         "float4 point;\nsampler2D line;\n"

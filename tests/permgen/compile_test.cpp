@@ -45,10 +45,10 @@ TEST(Compile, SameTextSameWordsWhateverTheNumberOfJobs) {
     }
 }
 
-/// An effect whose author wrote exactly what small_effect() compiles, on disk.
+/// An effect file with exactly the text that small_effect() compiles.
 class Located : public testing::Test {
 protected:
-    // One file a process: ctest runs several at once.
+    // One file per process: ctest runs several at once.
     Located() : path_(testing::TempDir() + "located_" + std::to_string(::getpid()) + ".fx") {}
     ~Located() override { std::filesystem::remove(path_); }
 
@@ -137,13 +137,13 @@ TEST(Compile, AMistakeIsNotSaidAgainOfTheGeneratedTextThatItBreaks) {
 struct Crash {
     const char* name;
     const char* source;
-    /// ctest loses the labels of a test whose name holds brackets or semicolons.
+    /// ctest loses the labels of a test whose name contains brackets or semicolons.
     friend void PrintTo(const Crash& crash, std::ostream* out) { *out << crash.name; }
 };
 class Crashes : public testing::TestWithParam<Crash> {};
 
-// Each of these takes glslang 12.0.0 down with it, or makes it run on; whichever it is here and now, it has
-// to come out as an error about that entry point, and the other module has to come through.
+// Each of these makes glslang 12.0.0 crash or run on. In either case it must become an error about that entry point,
+// and the other module must compile.
 TEST_P(Crashes, BecomeDiagnostics) {
     Lowered effect = test::small_effect();
     effect.modules[pixel].hlsl = GetParam().source;
@@ -190,7 +190,7 @@ TEST(Compile, AnEntryPointThatIsNotThereIsAnError) {
     EXPECT_TRUE(modules[pixel].code.empty());
 }
 
-/// What lowering means and what it writes differ in one thing each time.
+/// In each case the lowered text differs from the intended interface in one detail.
 class Meant : public testing::Test {
 protected:
     std::string complaint() {

@@ -1,5 +1,6 @@
-# permgen_effect() in a project of its own: builds, then does nothing, then exactly what a change asks for.
-# cmake -DPERMGEN_PROGRAM= -DPERMGEN_INCLUDE= -DPERMGEN_EFFECT= -DFIXTURE= -DWORK= -DGENERATOR= -P effect_rebuild.cmake
+# permgen_effect() in a separate project: builds, then does nothing, then rebuilds exactly the parts that a change
+# affects. cmake -DPERMGEN_PROGRAM= -DPERMGEN_INCLUDE= -DPERMGEN_EFFECT= -DFIXTURE= -DWORK= -DGENERATOR= -P
+# effect_rebuild.cmake
 file(REMOVE_RECURSE "${WORK}")
 file(COPY "${FIXTURE}/" DESTINATION "${WORK}/source")
 
@@ -12,7 +13,7 @@ function(run)
 endfunction()
 
 function(build_expecting effect_compiled source_compiled)
-  # Time stamps may be as coarse as a second for Make.
+  # Make's time stamps may have a resolution of one second.
   execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 1.1)
   run(${CMAKE_COMMAND} --build "${WORK}/build" --verbose)
   string(FIND "${output}" "tint.fx -o" effect)

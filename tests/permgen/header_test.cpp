@@ -1,4 +1,4 @@
-// A generated header in use: readable at compile time, and one object in however many translation units.
+// A generated header can be read at compile time, and is one object in all translation units.
 #include "header_test.h"
 
 #include <gtest/gtest.h>

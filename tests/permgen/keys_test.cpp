@@ -48,7 +48,7 @@ static_assert(keys::ps_main_key_of(TechniqueId::again) == keys::ps_main_key{fals
 static_assert(!keys::ps_main_key_of(TechniqueId::plain), "no pass of it uses ps_main");
 static_assert(keys::vs_main_key_of(TechniqueId::plain) == keys::vs_main_key{0.1f});
 
-/// The key's bits say which of the sixteen it is.
+/// The key's bits are the index of one of the sixteen keys.
 constexpr slices::ps_main_key slices_key(unsigned bits) {
     return {(bits & 1u) != 0, (bits & 2u) != 0, (bits & 4u) != 0, (bits & 8u) != 0};
 }

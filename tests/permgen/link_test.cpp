@@ -8,7 +8,7 @@
 namespace permgen {
 namespace {
 
-/// Replaces `from`, which has to be there.
+/// Replaces `from`, which must occur.
 void replace(std::string& text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << from;

@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "PG042", 2, "Globals"}),
     [](const auto& test) { return test.param.name; });
 
-// How a value gets from the interface to the author's variable and back.
+// The conversion of a value from the interface to the author's variable and back.
 struct WrapperCase {
     const char* name;
     const char* shader;

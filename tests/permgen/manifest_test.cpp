@@ -1,5 +1,5 @@
-// What is loaded from a folder is what the generated header holds; a folder that was tampered with is refused
-// with a sentence that names file and place.
+// The tables loaded from a folder equal those of the generated header; a damaged folder is refused with a sentence that
+// names file and place.
 #include <everything.fx.h>
 #include <gtest/gtest.h>
 #include <permgen/manifest.h>
@@ -79,7 +79,7 @@ void same_member(const Member& a, const Member& b) {
     EXPECT_EQ(a.size, b.size);
 }
 
-/// The same place in two tables, each pointing into its own.
+/// Corresponding passes of two tables; each refers to its own table.
 template <class Range, class T>
 std::ptrdiff_t place_in(const Range& table, const T* entry) {
     return std::find(table.begin(), table.end(), entry) - table.begin();
@@ -166,7 +166,7 @@ protected:
     void put(const fs::path& file, const std::string& bytes) const {
         std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
     }
-    /// Expects a refusal whose sentence names `file` and says `what`.
+    /// Expects an error whose message contains `file` and `what`.
     void expect_refused(const fs::path& file, const std::string& what) const {
         const auto loaded = load_manifest(manifest);
         ASSERT_FALSE(loaded) << what;

@@ -9,7 +9,7 @@
 namespace permgen {
 namespace {
 
-// A folder of its own for each test, gone afterwards.
+// Each test has its own folder, which is removed afterwards.
 class Preprocess : public testing::Test {
 protected:
     void SetUp() override {

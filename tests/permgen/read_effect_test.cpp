@@ -55,8 +55,7 @@ TEST(ReadEffect, SlicesHasOnePixelModuleAndItsSixteenSettings) {
     }
 }
 
-// Small effects in the styles that authors write, through the whole compiler: what lowering meant must be what
-// comes out.
+// Compiles small effects in typical styles: the resulting interface must be the intended one.
 class Style : public testing::TestWithParam<const char*> {};
 
 TEST_P(Style, Builds) {

@@ -5,7 +5,7 @@
 namespace permgen::test {
 namespace {
 
-// Nine lines, so that what follows starts on line 10.
+// Nine lines, so that the text after them starts on line 10.
 constexpr const char* declarations = R"([[vk::binding(0, 0)]] cbuffer Globals
 {
     float4x4 gClipFromView;

@@ -1,5 +1,5 @@
 // A lowered effect small enough to read: one vertex shader, one pixel shader with two switches, two
-// techniques. What the front end would hand over, written out.
+// techniques. It has the form of the front end's output.
 #pragma once
 
 #include "lower/lowered.h"

@@ -152,7 +152,7 @@ TEST(Specialize, OutputsAllStay) {
     EXPECT_EQ(reflection.outputs[1].location, 4u);
 }
 
-// (x * 2) * 3 and x * 6 differ in the last bit for some x: frozen and specialized pipelines would too.
+// (x * 2) * 3 and x * 6 differ in the last bit for some x: then frozen and specialized pipelines would differ, too.
 TEST(Specialize, ArithmeticIsNotReassociated) {
     const SpirvWords code = pixel_words("float x = uv.x * 2.1; x = x * 3.3; x = x + 0.0; return x / 7.0;\n");
     const SpecializeResult result = specialize(code, switches(false, false));

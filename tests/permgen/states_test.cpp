@@ -1,4 +1,4 @@
-// States and profiles against Direct3D 9's table: what is read, what is refused and where, what is warned of once.
+// States and profiles against Direct3D 9's table: values, errors with their place, and warnings.
 #include "d3d9/states.h"
 
 #include <gtest/gtest.h>

@@ -23,7 +23,7 @@ std::size_t open_files() {
         std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator()));
 }
 
-/// Every test leaves no child and no file behind.
+/// Every test checks that no child process and no open file is left.
 class Worker : public testing::Test {
 protected:
     void SetUp() override { files_ = open_files(); }
@@ -138,7 +138,7 @@ TEST_F(Worker, AKillFromOutsideIsReported) {
 }
 
 TEST_F(Worker, AReplyCutOffHalfwayIsNotTaken) {
-    // Far more than goes through a pipe in the 5 ms that the first one has to live.
+    // Much more than a pipe transfers in the first worker's 5 ms.
     constexpr std::size_t long_reply = std::size_t{128} << 20;
     const auto results = run_workers(2, 1, {}, [](std::size_t i) {
         std::string reply(i == 0 ? long_reply : 1000, 'x');

@@ -92,7 +92,7 @@ TEST_F(WriteFiles, ANameThatIsTooLongIsToldAndUndone) {
     EXPECT_EQ(listing(), Names{"one"});
 }
 
-/// A limit on the size of files stands for a full disk: write() fails after some of the bytes.
+/// A limit on file sizes simulates a full disk: write() fails after some of the bytes.
 TEST_F(WriteFiles, AFullDiskLeavesEverythingAsItWas) {
     put("one", "old");
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -110,7 +110,7 @@ TEST_F(WriteFiles, AFullDiskLeavesEverythingAsItWas) {
     EXPECT_EQ(listing(), Names{"one"});
 }
 
-/// The second move of the same file finds nothing to move: the only way to fail there that needs no race.
+/// The second move of the same file fails because the file is gone. No other failure there is possible without a race.
 TEST_F(WriteFiles, AMoveThatFailsUndoesThoseBefore) {
     put("one", "old");
     const std::string why = write_files({{at("two"), "2"}, {at("one"), "new"}, {at("one"), "newer"}});
@@ -129,7 +129,7 @@ TEST_F(WriteFiles, AFolderThatMayNotBeWrittenIsTold) {
 }
 
 TEST_F(WriteFiles, WhatIsNoFileIsNotReplaced) {
-    ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);  // stands for /dev/null, which a test had better not try
+    ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);  // instead of /dev/null, which a test should not risk
     const std::string why = write_files({{at("pipe"), "1"}});
     EXPECT_NE(why.find("something that is no file"), std::string::npos) << why;
     EXPECT_TRUE(fs::is_fifo(at("pipe")));

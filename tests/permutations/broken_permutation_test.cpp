@@ -1,5 +1,5 @@
-// The rig on a broken slices.fx: a permutation that somebody broke is named, with its picture, and no other is
-// blamed. The other test program is run on a build of the broken text.
+// The rig on a broken slices.fx: it names the broken permutation, with its picture, and no other one. It runs the other
+// test program on a build of the broken text.
 #include <gtest/gtest.h>
 #include <tyndall/terms.h>
 
@@ -25,7 +25,7 @@ struct BrokenPermutation : testing::Test {
         return runProgram({"env", "TYNDALL_EFFECTS=" + folder.at("out"), "TYNDALL_REPORT=" + report, PERMUTATION_TEST,
                            "--gtest_filter=" + tests});
     }
-    /// The techniques that the report blames for a check that begins with `check`. Each has its pictures.
+    /// The techniques in the report that failed a check whose name begins with `check`. Each has its pictures.
     std::set<std::string> blamed(const std::string& check) {
         std::set<std::string> techniques;
         const std::string page = readText(report + "/index.html");
@@ -85,8 +85,8 @@ TEST_F(BrokenPermutation, AFaultInOneTermIsBlamedOnTheTechniquesThatHaveItAndOnT
     EXPECT_EQ(blamed("mask of noise"), Names{});
 }
 
-/// slices.fx with one switch more, off in the techniques there were and on in two further ones; and with one more
-/// technique, which says again what another has said.
+/// slices.fx with one more switch, off in the existing techniques and on in two new ones; and with one more technique
+/// that repeats another.
 std::string withAnAxisMore() {
     std::string text = replaced(kSlices, "uniform bool bScattering) : COLOR0",
                                 "uniform bool bScattering, uniform bool bRed) : COLOR0");
@@ -99,9 +99,9 @@ std::string withAnAxisMore() {
            "SLICE_TECHNIQUE(added_plain_red_technique, false, false, false, false)\n";
 }
 
-// What the effect declares is what is tried, without a word in the tests: whatever is new lacks its goldens, and
-// neither it nor anything else fails in any other way. No suite is left out but the slowest, against the integral; of
-// the techniques that were there, the scattering ones are, as the others show the same in half the time.
+// The tests try everything that the effect declares, without changes: new techniques lack their goldens, and nothing
+// fails in any other way. The slowest suite, against the integral, is left out. So are the existing techniques with
+// scattering, because the others show the same in half the time.
 TEST_F(BrokenPermutation, ANewAxisIsTriedAndLacksItsGoldensAndNothingElse) {
     const Ran ran = tryOut(withAnAxisMore(), "*-*ReferenceTest*:*_scattering_technique*");
     EXPECT_EQ(ran.status, 1) << ran.text;

@@ -1,5 +1,5 @@
-// What becomes of an accumulated sum in the picture: channels of a routed target added up and tinted, the
-// picture added to and never replaced, the blur kept from crossing an edge in depth.
+// Compositing of an accumulated sum: it adds up and tints the channels of a routed target, adds to the picture without
+// replacing it, and keeps the blur from crossing depth edges.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ std::array<double, 3> shafts(const Drawing& drawing, Accumulation format, int x,
     return {grey, grey, grey};
 }
 
-// The three by three binomial weights, each taken down by ten times the relative difference in depth.
+// The three by three binomial weights, each reduced by ten times the relative difference in depth.
 std::array<double, 3> blurred(const Drawing& drawing, Accumulation format, const Texture& depth, int x, int y) {
     const auto depthAt = [&](int i, int j) {
         return static_cast<double>(depth.at(std::clamp(i, 0, depth.width - 1), std::clamp(j, 0, depth.height - 1)));

@@ -1,4 +1,4 @@
-// The fixture itself: silence means something only where a mistake would be heard.
+// The fixture itself must detect mistakes.
 #include <headless/buffer.h>
 #include <headless/commands.h>
 

@@ -1,5 +1,5 @@
-// What each accumulation format loses, and no more: the stored sums against the oracle's, within bounds that
-// follow from how the format rounds.
+// The losses of each accumulation format: the stored sums against the oracle's, within bounds that follow from the
+// format's rounding.
 #include <algorithm>
 
 #include "draw.h"
@@ -27,7 +27,7 @@ double brightest(const OracleImage& image, int channel, bool quarters) {
 }
 
 // A value that a 8-bit target adds is first converted to a 255th, "to nearest" as the Vulkan specification prefers and
-// 0.6 of a step off at worst as Direct3D's functional specification allows; sums of 255ths are exact.
+// with an error of at most 0.6 of a step, as Direct3D's functional specification allows; sums of 255ths are exact.
 Interval quantized(Interval sum, int fragments, double range) {
     const double slack = 0.6 / 255.0 * fragments * range;
     return {sum.lo - slack, sum.hi + slack};
@@ -65,7 +65,7 @@ TEST_F(FormatTest, RoutedEightBitsKeepEveryFourthSliceInAChannelOfItsOwn) {
         std::vector<Allowed> allowed;
         for (const PixelSum& pixel : expected.pixels) {
             Allowed channels{};
-            // Five of twenty slices are a channel's, and no more of them than cover the pixel.
+            // A channel gets five of twenty slices, but only those that cover the pixel.
             for (int q = 0; q < 4; ++q)
                 channels[q] = quantized(pixel.quarter[q][3], std::min(pixel.fragments, 5), options.range);
             allowed.push_back(channels);

@@ -1,5 +1,5 @@
-// What each permutation drew when somebody last looked at it. The technique is asked for by name, on a light that
-// has every term: whatever slices.fx declares is drawn, also a technique that plan() would never choose.
+// The approved picture of each permutation. The technique is selected by name, on a light with every term, so every
+// technique of slices.fx is drawn, including those that plan() would never choose.
 #include "draw.h"
 #include "judge.h"
 

@@ -1,5 +1,5 @@
-// What must not change the picture: how many slices there are, how the volume is divided, where in the world
-// the scene stands.
+// Things that must not change the picture: the number of slices, the division of the volume, the scene's position in
+// the world.
 #include <algorithm>
 #include <cmath>
 
@@ -18,9 +18,9 @@ double total(const Picture& picture) {
 }
 
 // The midpoint rule with slabs of length h errs by at most h V / 2 for an integrand of total variation V. Along a ray
-// the plain lamp's light rises once and falls once, from nothing and to nothing, so V is twice its maximum: the error
-// is at most h times that, and two counts differ by at most the sum of their errors. The largest of the samples is not
-// the maximum, but lies within a slab of it; there 1 / d^2 is less by a factor of (1 + slab / near)^2 at most.
+// the plain lamp's light rises once from 0 and falls once to 0, so V is twice its maximum: the error is at most h times
+// that, and two counts differ by at most the sum of their errors. The largest of the samples is not the maximum, but
+// lies within a slab of it; there 1 / d^2 is less by a factor of (1 + slab / near)^2 at most.
 TEST_F(InvarianceTest, BrightnessDoesNotDependOnTheNumberOfSlices) {
     Shot shot = withTerms(sideView(), {});
     const std::vector<int> counts{50, 100, 200};
@@ -48,7 +48,7 @@ TEST_F(InvarianceTest, BrightnessDoesNotDependOnTheNumberOfSlices) {
         }
         EXPECT_EQ(apart, 0);
     }
-    // Over a whole picture those errors have either sign; a hundredth is what a viewer could not tell apart.
+    // Over a whole picture those errors have either sign; a viewer cannot see a difference of a hundredth.
     EXPECT_NEAR(total(pictures[0]) / total(pictures[2]), 1.0, 0.01);
     EXPECT_NEAR(total(pictures[1]) / total(pictures[2]), 1.0, 0.01);
 }

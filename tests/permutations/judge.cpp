@@ -18,7 +18,7 @@ std::string reportFolder() {
     return environment("TYNDALL_REPORT", TYNDALL_REPORT_FOLDER);
 }
 
-/// What was set for this run and changes its picture, this program, this test.
+/// The command that repeats this test: environment variables that change its picture, this program, this test.
 std::string thisTestsCommand() {
     std::vector<std::string> words{"env"};
     for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES", "TYNDALL_EFFECTS"})

@@ -1,5 +1,5 @@
-// What must hold between permutations, whatever the picture shows: a term that masks nothing changes nothing,
-// a term that masks everything leaves nothing.
+// Laws between permutations, for any picture: a term that masks nothing changes nothing, and a term that masks
+// everything leaves nothing.
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -25,7 +25,7 @@ struct LawName {
     }
 };
 
-// Each law for every technique that has the term it speaks of, in both looks.
+// Each law for every technique that has its term, in both looks.
 class LawTest : public GpuTest, public testing::WithParamInterface<LawCase> {
 protected:
     static Shot everyTerm() {
@@ -58,12 +58,12 @@ INSTANTIATE_TEST_SUITE_P(SlicesFx, NoiseLawTest, testing::ValuesIn(having({Term:
 
 INSTANTIATE_TEST_SUITE_P(SlicesFx, ScatteringLawTest, testing::ValuesIn(having({Term::Scattering})), LawName());
 
-// What g = 0 and no extinction may leave of a factor of 1, with e = 2^-24: 1 - |g| is 1 and so is the base, exactly;
+// The rounding of the factor 1 for g = 0 and no extinction, with e = 2^-24: 1 - |g| is 1 and so is the base, exactly;
 // two divisions 5 e each, a root 9 e, three products 3 e, exp(-0) 6 e (3 ulp). And e of the total for each of 16
 // additions in either picture. 28 + 32 = 60 e.
 constexpr double evenScattering = 60.0 * kFloatEps;
 
-// Two pictures of which one only leaves out a factor of exactly 1.
+// Two pictures that differ only by a factor of exactly 1.
 void expectIdentical(const Drawing& a, const Drawing& b) {
     ASSERT_EQ(whyNotFinite(a.sum), "");
     ASSERT_EQ(whyNotFinite(b.sum), "");
@@ -103,7 +103,7 @@ TEST_P(CookieLawTest, WhiteCookieEqualsNoCookie) {
     expectIdentical(drawIt(white), draw(withTerms(white, GetParam().terms.without(Term::Cookie))));
 }
 
-// Every comparison comes out lit, and bilinear weights of four ones add up to exactly 1.
+// Every comparison gives lit, and bilinear weights of four ones add up to exactly 1.
 TEST_P(ShadowLawTest, EmptyShadowMapEqualsNoShadow) {
     Shot empty = shotFor(GetParam(), everyTerm());
     empty.shadowMap = constantTexture(32, 32, {0.0f});
@@ -143,7 +143,7 @@ TEST_P(ShadowLawTest, AnEmptyMapBlocksNothingBeyondTheFarPlaneEither) {
     expectIdentical(drawIt(empty, withDepthMoved(-1.0f)), drawIt(empty));
 }
 
-// A lamp turned round in its place has all of the slices behind it: there the projection would repeat the beam.
+// A lamp that is turned by 180 degrees has all slices behind it, where the projection would repeat the beam.
 TEST_P(LawTest, NothingBehindTheLamp) {
     DrawOptions options;
     options.change = [](Plan& plan) {
@@ -177,9 +177,9 @@ TEST_P(NoiseLawTest, NoiseOfConstantProductEqualsNoNoiseAtTheInverseGain) {
     expectWithin(drawIt(even), draw(withTerms(even, GetParam().terms.without(Term::Noise))), 50.0 * kFloatEps);
 }
 
-// A map of which only the middle of texel (0, 0) is looked up is one that holds that texel's value all over. 50 e as
-// above; and coordinates, after a matrix, a scale, a phase and a division, are 16 e off the texel's middle, times 8
-// texels, times at most 0.6 / 0.4 of the value from one texel to the next: 192 e.
+// A map that is read only at the middle of texel (0, 0) equals a map with that value everywhere. 50 e as above; and
+// coordinates, after a matrix, a scale, a phase and a division, are 16 e off the texel's middle, times 8 texels, times
+// at most 0.6 / 0.4 of the value from one texel to the next: 192 e.
 TEST_P(NoiseLawTest, EachMapHasAScaleAndAPhaseOfItsOwn) {
     const Shot shot = shotFor(GetParam(), everyTerm());
     const Texture& noise = shot.noiseMap;
@@ -199,7 +199,7 @@ TEST_P(NoiseLawTest, EachMapHasAScaleAndAPhaseOfItsOwn) {
     }
 }
 
-// A technique may be forced on a light that does not call for it; what it lacks then masks nothing.
+// A technique may be forced on a light without its terms; a missing texture then masks nothing.
 TEST_P(LawTest, ForcedOnALightWithoutItsTermsItDrawsTheSame) {
     const Shot plain = withTerms(everyTerm(), {});
     DrawOptions forced;
@@ -212,7 +212,7 @@ TEST_P(LawTest, ForcedOnALightWithoutItsTermsItDrawsTheSame) {
         expectIdentical(drawing, draw(plain));
 }
 
-// The phase function stays as it is, and exp(-extinction * way) falls.
+// The phase function stays the same, and exp(-extinction * path) falls.
 TEST_P(ScatteringLawTest, StrongerExtinctionIsDarkerEverywhere) {
     Shot shot = shotFor(GetParam(), everyTerm());
     Drawing before = drawIt(shot);
@@ -232,7 +232,7 @@ TEST_P(ScatteringLawTest, StrongerExtinctionIsDarkerEverywhere) {
     }
 }
 
-// exp(-10^5) is 0 in floats and in doubles, and 0 it has to be, not NaN.
+// exp(-10^5) is 0 in floats and in doubles; the result must be 0, not NaN.
 TEST_P(ScatteringLawTest, AirThatLetsNothingThroughIsBlack) {
     Shot shot = shotFor(GetParam(), everyTerm());
     DrawOptions thick;

@@ -1,4 +1,4 @@
-// A technique keeps the resources that its switches call for, and not one more.
+// A technique has exactly the resources that its switches need.
 #include <set>
 
 #include "draw.h"
@@ -19,7 +19,7 @@ std::set<std::string> samplersOf(const Permutation& permutation) {
     return names;
 }
 
-// A switch beyond the three may call for samplers of its own.
+// Other switches may need their own samplers.
 TEST_P(LiveTest, ExactlyTheUniformBlockAndTheSamplersItsSwitchesCallFor) {
     std::set<std::string> samplers;
     int blocks = 0;
@@ -39,8 +39,7 @@ TEST_P(LiveTest, ExactlyTheUniformBlockAndTheSamplersItsSwitchesCallFor) {
     EXPECT_EQ(blocks, 1);
 }
 
-// draw() passes null views for everything that the light does not have: were one of them bound, validation
-// would speak up.
+// draw() passes null views for textures that the light lacks: validation would report a bound one.
 TEST_P(LiveTest, OnlyLiveResourcesAreBound) {
     for (const bool article : {false, true}) {
         SCOPED_TRACE(article);

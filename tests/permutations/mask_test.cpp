@@ -1,5 +1,5 @@
 // Each masking term by itself: the picture with it, divided by the picture without it, is the mask, projected by
-// the oracle. One slice at a time, or the quotient would be a mean of many masks.
+// the oracle. It uses one slice at a time: with several, the quotient would be a mean of many masks.
 #include <cmath>
 
 #include "draw.h"
@@ -55,7 +55,7 @@ std::vector<NamedShot> slicesOf(const MaskCase& one) {
     return {{"near", near}, {"middle", shot}, {"far", far}};
 }
 
-/// Dimmed by another term until nothing is left, a pixel says nothing about this one.
+/// A pixel that another term makes black gives no information about this term.
 bool dark(const Picture& open, std::size_t pixel) {
     return open.pixels[pixel][0] == 0.0f || open.pixels[pixel][1] == 0.0f || open.pixels[pixel][2] == 0.0f;
 }
@@ -93,11 +93,11 @@ TEST_P(MaskTest, IsTheQuotientOfThePictureWithItAndThePictureWithoutIt) {
                     "mask of " + std::string(nameOf(one.term)) + ", " + named.name + " slice" +
                         (one.article ? ", article" : ""),
                     quotient, 1.0, allowed);
-        // A mask that nobody knows would prove nothing.
+        // An unknown mask would prove nothing.
         EXPECT_GT(pixels, 300);
         EXPECT_LT(vagueness(allowed), 0.02);
     }
-    EXPECT_LT(least, 0.7 * most);  // nor would one that is the same everywhere
+    EXPECT_LT(least, 0.7 * most);  // a constant mask would prove nothing
 }
 
 }  // namespace

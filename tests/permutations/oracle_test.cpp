@@ -1,5 +1,4 @@
-// The oracle held against closed forms and against itself, without a GPU: what judges the pictures has to
-// be right for reasons of its own.
+// The oracle against closed forms and against itself, without a GPU: the judge of the pictures needs its own proof.
 #include "oracle.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +33,7 @@ TEST(Interval, HoldsEveryFloatResult) {
         for (int j = 0; j <= 20; ++j) {
             const float x = static_cast<float>(a.lo + (a.hi - a.lo) * i / 20.0);
             const float y = static_cast<float>(b.lo + (b.hi - b.lo) * j / 20.0);
-            // The operands were rounded to binary32 too, so they may stick out by as much.
+            // The operands were rounded to binary32 as well, so they may exceed the interval by as much.
             const Interval ra = rounded(a), rb = rounded(b);
             EXPECT_TRUE((ra + rb).contains(x + y));
             EXPECT_TRUE((ra - rb).contains(x - y));
@@ -55,7 +54,7 @@ TEST(Texture, BilinearMeetsTexelsAtTheirCentresAndTheMeanBetween) {
     const Texture texture = makeTexture(4, 2, 1, [](int x, int y, int) { return x + 10 * y; });
     EXPECT_TRUE(sampleLinear(texture, 0, Address::Clamp, exactly(2.5 / 4), exactly(0.25)).contains(2.0));
     EXPECT_NEAR(sampleLinear(texture, 0, Address::Clamp, exactly(0.5), exactly(0.5)).mid(), 6.5, 1e-12);
-    // Clamped, the first texel goes on; wrapped, the last one comes before it.
+    // Clamping repeats the first texel; wrapping puts the last one before it.
     EXPECT_NEAR(sampleLinear(texture, 0, Address::Clamp, exactly(0.0), exactly(0.25)).mid(), 0.0, 1e-12);
     EXPECT_NEAR(sampleLinear(texture, 0, Address::Wrap, exactly(0.0), exactly(0.25)).mid(), 1.5, 1e-12);
     EXPECT_NEAR(sampleLinear(texture, 0, Address::Wrap, exactly(-3.0), exactly(0.25)).mid(), 1.5, 1e-12);
@@ -176,8 +175,8 @@ TEST(Oracle, ARigidMotionMovesNothing) {
     }
 }
 
-// A tolerance that lets everything pass would make all comparisons worthless: a slice's share of sixteen is
-// 6 %, and the intervals, worst cases of every rounding added up, stay well below that.
+// A tolerance that accepts everything would make all comparisons worthless: a slice's share of sixteen is 6 %, and the
+// intervals, worst cases of every rounding added up, stay well below that.
 TEST(Oracle, IsSharpInEveryShot) {
     for (const NamedShot& named : shots()) {
         const double vague = vagueness(allowedBy(oracle(named.shot)));

@@ -1,6 +1,6 @@
-// Which way up things land, from the conventions alone and without the oracle: "a cookie appears as a slide would to
-// an eye at the lamp looking along the light: image right is local +X, image top local +Y, the field of
-// view spans the whole image".
+// The orientation of textures, from the conventions alone and without the oracle: "a cookie appears as a slide would to
+// an eye at the lamp looking along the light: image right is local +X, image top local +Y, the field of view spans the
+// whole image".
 #include <cmath>
 
 #include "draw.h"
@@ -24,7 +24,7 @@ Shot eyeAtTheLamp() {
     return shot;
 }
 
-// Ratio of two pictures at a pixel, by channel: what the term let through.
+// Ratio of two pictures at a pixel, by channel: the term's factor.
 glm::dvec3 ratio(const Picture& masked, const Picture& plain, int x, int y) {
     glm::dvec3 r;
     for (int c = 0; c < 3; ++c) r[c] = static_cast<double>(masked.at(x, y)[c]) / plain.at(x, y)[c];
@@ -63,7 +63,7 @@ TEST_F(OrientationTest, ACookieAppearsAsASlideToAnEyeAtTheLamp) {
 
 TEST_F(OrientationTest, AnEyeFacingTheLampSeesTheSlideMirrored) {
     Shot plain = eyeAtTheLamp();
-    // On the axis beyond the far plane, looking back, with the same way up.
+    // On the axis beyond the far plane, looking back, with the same up direction.
     const glm::dmat4 frame = plain.light.worldFromLight;
     const glm::dvec3 ahead = -glm::dvec3(frame[2]);
     plain.eye.worldFromView = {-frame[0], frame[1], -frame[2],
@@ -73,9 +73,9 @@ TEST_F(OrientationTest, AnEyeFacingTheLampSeesTheSlideMirrored) {
     slide.light.cookie = true;
     slide.cookieMap = fourQuadrants();
     const Picture masked = draw(slide).sum, open = draw(plain).sum;
-    // A ray stays on its side of the axis all the way. It enters the volume a metre from the eye, where it is
-    // 0.35 m beside the axis and 0.2 m above it: at the slide's scale 8 % and 9 % off the middle, more than a
-    // texel of 3 %, and farther off all the time from there.
+    // A ray stays on its side of the axis. It enters the volume a metre from the eye, where it is 0.35 m beside the
+    // axis and 0.2 m above it: at the slide's scale 8 % and 9 % off the middle, more than a texel of 3 %, and the
+    // distance grows from there.
     expectColour(ratio(masked, open, 101, 11), kTopLeft, "top right of the picture");
     expectColour(ratio(masked, open, 26, 11), kTopRight, "top left of the picture");
     expectColour(ratio(masked, open, 101, 52), kBottomLeft, "bottom right of the picture");
@@ -120,7 +120,7 @@ TEST_F(OrientationTest, NoiseIsGainTimesRedOfTheFirstDriftTimesGreenOfTheSecond)
     EXPECT_GT(compared, plain.width * plain.height / 2);
 }
 
-// The left half of the slide is blocked from half way on, and only there.
+// The left half of the slide is blocked from the middle of the volume on.
 TEST_F(OrientationTest, AShadowFallsBehindWhatThrowsIt) {
     const double blockedAt = 2.0;
     Shot plain = eyeAtTheLamp();
@@ -132,8 +132,8 @@ TEST_F(OrientationTest, AShadowFallsBehindWhatThrowsIt) {
         return x < 16 && y >= 16 ? storedShadowDepth(plain.light, blockedAt) : 0.0;
     });
     const Picture masked = draw(shadowed).sum, open = draw(plain).sum;
-    // Slices face the lamp here: those before the blocker count in full, those behind it not at all. Along a
-    // ray of slant s, a slice at axis z has d = z s, so its share is proportional to 1 / (z s)^2 + ambient / I.
+    // Slices face the lamp here: those before the blocker count in full, those behind it count 0. Along a ray of slant
+    // s, a slice at axis z has d = z s, so its share is proportional to 1 / (z s)^2 + ambient / I.
     const double n = plain.light.nearPlane, f = plain.light.farPlane, h = (f - n) / plain.slices;
     for (const auto& [x, y] : {std::pair{32, 48}, {20, 40}}) {
         const double px = (2.0 * (x + 0.5) / 128 - 1.0) * 0.5, py = (2.0 * (y + 0.5) / 64 - 1.0) * 0.25;

@@ -13,7 +13,7 @@
 namespace tyndall::test {
 namespace {
 
-/// The switch of each term, as slices.fx spells it.
+/// The switch of each term, with its name in slices.fx.
 constexpr PerTerm<std::string_view> kSwitches{{"bScrollingNoise", "bShadowMapping", "bCookie", "bScattering"}};
 
 bool switchOf(const permgen::Technique& technique, std::string_view axis) {
@@ -26,7 +26,7 @@ bool isTerm(const permgen::Constant& constant) {
     return std::ranges::find(kSwitches.values, constant.name) != kSwitches.values.end();
 }
 
-/// Constants stand in the order of the module's axes.
+/// Constants are in the order of the module's axes.
 bool leavesFurtherSwitchesAlone(const permgen::Technique& technique) {
     for (const permgen::Shader* shader : {&technique.passes[0].vertex, &technique.passes[0].pixel})
         for (std::size_t i = 0; i < shader->constants.size(); ++i)

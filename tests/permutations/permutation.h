@@ -1,4 +1,4 @@
-// The permutations under test: whatever slices.fx declares, read from the tables permgen made of it.
+// The permutations under test: all that slices.fx declares, read from permgen's tables.
 #pragma once
 
 #include <permgen/tables.h>
@@ -13,18 +13,18 @@
 
 namespace tyndall::test {
 
-/// What permgen made of slices.fx.
+/// permgen's tables of slices.fx.
 const permgen::Effect& effectTables();
 
 struct Permutation {
     const permgen::Technique* technique;
-    /// The terms that its name promises; of a technique that plan() does not know, those its switches set.
+    /// The terms in its name; for a technique that plan() does not know, those that its switches set.
     TermSet terms;
-    /// plan() chooses it for a light with these terms. Every other is drawn by name.
+    /// plan() chooses it for a light with these terms. All others are drawn by name.
     bool chosen;
-    /// The terms say what it draws: plan() may choose it, or every further switch that it has stands where the
-    /// shader's module leaves it. Of a switch that is set the tests know nothing but that it is drawn, the same
-    /// every time, the same frozen as specialized, and finite.
+    /// The terms determine its picture: plan() may choose it, or every other switch that it has keeps the module's
+    /// default. If another switch is set, tests only check that its picture is finite, repeatable, and the same frozen
+    /// and specialized.
     bool predicted;
 
     std::string name() const { return std::string(technique->name); }
@@ -39,15 +39,15 @@ struct Permutation {
 /// One for each technique, in the effect's order.
 std::vector<Permutation> permutations();
 
-/// Those for the oracle, the masks and the laws, which are about the terms; what else there is, is left out
-/// by what its switches are, and never by its name.
+/// Those for the oracle, the masks and the laws, which concern the terms. Others are left out by their switches, never
+/// by their names.
 std::vector<Permutation> predictedPermutations();
 
 /// The shot with the terms of the permutation alone.
 Shot shotFor(const Permutation& permutation, const Shot& shot);
 
-/// Draws that shot with that technique: plan() has to come upon it where it can, and else it takes the place of
-/// the one that plan() chooses.
+/// Draws that shot with that technique: plan() must choose it if it can; otherwise it replaces the one that plan()
+/// chooses.
 DrawOptions optionsFor(const Permutation& permutation, DrawOptions options = {});
 
 /// For gtest's parameter names.

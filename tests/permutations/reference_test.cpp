@@ -1,4 +1,4 @@
-// Tier 3: as slices grow in number, every permutation closes in on the integral that they stand for.
+// Tier 3: with a growing number of slices, every permutation converges to the integral.
 #include <study/reference.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ study::Texture studyTexture(const Texture& texture) {
 }
 
 // The published constants as lengths of ray in metres: I and ambient for inches, 9 a hundred slices over the
-// extent of depth, which is what all slices together stand for.
+// extent of depth, which all slices together represent.
 void giveArticleConstants(Light& light, double depthExtent) {
     light.intensity = 20000.0 * 0.0254 * 0.0254;
     light.ambient = 0.25;
@@ -46,7 +46,7 @@ study::ReferenceScene referenceScene(const Shot& shot, double depthExtent) {
     return scene;
 }
 
-// What the pixels should hold. The published weights count depth, not the ray's length.
+// The expected pixels. The published weights count depth, not the ray's length.
 std::vector<glm::dvec3> truth(const Shot& shot, double depthExtent) {
     auto image = study::reference(referenceScene(shot, depthExtent));
     if (!image) throw std::runtime_error(image.error().message);
@@ -78,7 +78,7 @@ std::vector<Case> cases() {
     std::vector<Case> all;
     for (const Permutation& permutation : predictedPermutations())
         for (const NamedShot& shot : shots()) {
-            if (shot.name.starts_with("side_")) continue;  // these differ in the number of slices alone
+            if (shot.name.starts_with("side_")) continue;  // these differ only in the number of slices
             if (shot.shot.article && !permutation.drawsTheArticle()) continue;
             const bool everyTerm = permutation.terms == TermSet::all();
             if (!everyTerm && shot.name != "side" && shot.name != "surface" && shot.name != "article_look") continue;
@@ -95,9 +95,9 @@ INSTANTIATE_TEST_SUITE_P(SlicesFx, ReferenceTest, testing::ValuesIn(cases()), []
 // Every ray begins and ends at a jump, a side of the volume or a shadow's edge, and slices at the middles of slabs miss
 // a jump by up to half a slab of it (Koksma: the error is at most half a slab times the total variation). So four
 // times the slices leave a quarter of the error. Not quite: a rasterizer puts corners on a grid of 1/256 pixel, and
-// rays that run along a side of the volume see slices there, or not, whose number does not count; that is why
-// the second step is asked for less. A factor of 1.002 anywhere would not get through; of 1.005 with scattering, whose
-// phase and transmittance make a ray's jumps up to twice as large beside its integral in these shots.
+// rays that run along a side of the volume see slices there, or not, independently of their number; so the bound of the
+// second step is weaker. The test detects a factor of 1.002 anywhere, or of 1.005 with scattering, whose phase and
+// transmittance make a ray's jumps up to twice as large beside its integral in these shots.
 TEST_P(ReferenceTest, SlicesCloseInOnTheIntegral) {
     Shot shot = GetParam().shot.shot;
     std::vector<double> errors;

@@ -1,5 +1,4 @@
-// The shadow map that the runtime draws: where it is, what it stores, and that shafts seen through it are the
-// oracle's.
+// The runtime's shadow map: its position, its depths, and shafts drawn with it against the oracle.
 #include <headless/buffer.h>
 #include <headless/commands.h>
 
@@ -16,7 +15,7 @@ class ShadowMapTest : public GpuTest {};
 
 constexpr int kSize = 96;
 
-// In the light's own space, metres: slanted, off the middle, no symmetry that a turned-over map could hide in.
+// In the light's own space, metres: slanted and off-centre, without a symmetry that could hide a flipped map.
 const std::array<glm::dvec3, 3> kTriangle{glm::dvec3(-0.5, -0.1, -1.6), glm::dvec3(0.1, 0.4, -2.2),
                                           glm::dvec3(0.25, -0.2, -1.4)};
 
@@ -51,7 +50,7 @@ Texture drawTriangle(const Light& light) {
     return downloadDepth(map, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
 }
 
-// The ray through a place in the map, for one metre along the axis: u right along +X, v down along -Y.
+// The ray through a point of the map, for one metre along the axis: u right along +X, v down along -Y.
 glm::dvec3 mapRay(const Light& light, double x, double y) {
     return {(2.0 * x / kSize - 1.0) * std::tan(0.5 * light.fov.x),
             (1.0 - 2.0 * y / kSize) * std::tan(0.5 * light.fov.y), -1.0};
@@ -101,7 +100,7 @@ TEST_F(ShadowMapTest, ShaftsThroughItMatchTheOracle) {
         if (terms.contains(Term::Shadow)) {
             Shot shot = withTerms(sideView(), terms);
             shot.slices = 24;
-            shot.shadowMap = drawTriangle(shot.light);  // as really stored
+            shot.shadowMap = drawTriangle(shot.light);  // as stored
             const OracleImage expected = oracle(shot), open = oracle(withTerms(shot, terms.without(Term::Shadow)));
             const Drawing drawing = draw(shot);
             EXPECT_EQ(whyOutside(drawing.sum, drawing.plan.scale, allowedBy(expected)), "");

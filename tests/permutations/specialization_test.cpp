@@ -1,5 +1,4 @@
-// One module with its constants set, against a module of one's own without the dead code: the same picture. And
-// the same again whenever it is drawn.
+// The shared module with its constants set and the frozen module without dead code draw the same picture, every time.
 #include "draw.h"
 #include "judge.h"
 

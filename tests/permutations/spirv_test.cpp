@@ -1,5 +1,4 @@
-// Every module that slices.fx comes out as is valid, and names the resources that its tables say: read from the
-// SPIR-V by a reader of the test's own.
+// Every module of slices.fx is valid and names the resources in its tables. The test reads the SPIR-V independently.
 #include <gtest/gtest.h>
 #include <back/validate.h>
 
@@ -65,7 +64,7 @@ TEST_P(SpirvTest, FrozenModulesAreValidAndUseExactlyWhatIsLive) {
     }
 }
 
-// The name says what the technique is for, its switches what it does.
+// The technique's name must match its switches.
 TEST_P(SpirvTest, ItsSwitchesAreWhatItsNameSays) {
     constexpr PerTerm<std::string_view> switches{{"bScrollingNoise", "bShadowMapping", "bCookie", "bScattering"}};
     for (const permgen::Constant& constant : GetParam().pass().pixel.constants)

@@ -1,5 +1,5 @@
-// Every technique of slices.fx whose picture its terms say, drawn on lavapipe in every shot, lies inside what the
-// oracle allows.
+// Every technique of slices.fx whose terms determine its picture, drawn on lavapipe in every shot, lies within the
+// oracle's intervals.
 #include <cmath>
 
 #include "draw.h"
@@ -33,7 +33,7 @@ Drawing drawInsideOracle(const NamedShot& named, const OracleImage& expected, co
     return drawing;
 }
 
-// plan() names techniques without a look at the effect, and the two are to agree. The effect may have more.
+// plan() names techniques without reading the effect; both must agree. The effect may have more.
 TEST(Techniques, EveryOneThatPlanCanNameIsThereAndOfOneModule) {
     const permgen::Effect& effect = effectTables();
     const permgen::Technique* first = permgen::find_technique(effect, techniqueName({}));
@@ -47,7 +47,7 @@ TEST(Techniques, EveryOneThatPlanCanNameIsThereAndOfOneModule) {
     }
 }
 
-// Where no slice's edge and no shadow comparison is in doubt, the two geometries differ by rounding alone.
+// If no slice's edge and no shadow comparison is undecided, the two geometries differ only by rounding.
 TEST_P(TechniqueTest, BothGeometriesMatchTheOracleAndEachOther) {
     for (const NamedShot& named : shots()) {
         if (named.shot.article && !GetParam().drawsTheArticle()) continue;
@@ -69,7 +69,7 @@ TEST_P(TechniqueTest, BothGeometriesMatchTheOracleAndEachOther) {
     }
 }
 
-// Forwards and backwards, from nearly even to a narrow peak, in clear air and in thick.
+// Forwards and backwards, from nearly even to a narrow peak, in thin and thick air.
 class ScatteringTest : public GpuTest {};
 
 TEST_F(ScatteringTest, OfEveryStrengthMatchesTheOracle) {

@@ -8,7 +8,7 @@ namespace {
 std::atomic<std::size_t> count{0};
 }
 
-// Replace those of the whole program (C++20, [new.delete]); the aligned ones are not used by anything here.
+// Replace the allocation functions of the whole program (C++20, [new.delete]); nothing here uses the aligned ones.
 void* operator new(std::size_t size) {
     ++count;
     if (void* const memory = std::malloc(size ? size : 1)) return memory;

@@ -1,4 +1,4 @@
-// How often operator new has been called, in programs that link allocations.cpp.
+// The number of calls of operator new, in programs that link allocations.cpp.
 #pragma once
 
 #include <cstddef>

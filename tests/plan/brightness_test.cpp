@@ -1,4 +1,4 @@
-// The bound on what a pixel gets from a light, against its integral and against the sum over planned slices.
+// The bound of a pixel's radiance from a light, against the integral and against the sum over planned slices.
 #include "needs/brightness.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Brightness, IsReachedByNoPixelAndBySomeNearly) {
             const Sums sums = alongRay(scene, drawn, thickness, direction);
             if (sums.integral == 0.0) continue;
             ++lit;
-            // The oracle's own midpoint rule is off by less than a hundredth: h / d is at most 6 mm over 5 cm.
+            // The error of the oracle's midpoint rule is less than a hundredth: h / d is at most 6 mm over 5 cm.
             EXPECT_LE(sums.integral, 1.01 * light.brightest) << trial;
             EXPECT_LE(sums.slices, (1.0 + 1e-5) * light.brightest) << trial;
             integralShare = std::max(integralShare, sums.integral / light.brightest);
@@ -80,7 +80,7 @@ TEST(Brightness, IsReachedByNoPixelAndBySomeNearly) {
     EXPECT_GT(sliceShare, 0.2);
 }
 
-// Where the eye looks past the lamp within its near plane's width, the integral comes as close as it can.
+// The integral is closest to the bound if the eye looks past the lamp within its near plane's width.
 TEST(Brightness, HoldsBesideTheLamp) {
     Light light = projector();
     light.fov = {1.4, 1.4};
@@ -107,7 +107,7 @@ TEST(Brightness, HoldsBesideTheLamp) {
             }
 }
 
-// A slab that a surface hides in part counts whole where its slice is seen, and the longer the more askance the ray is.
+// A partly hidden slab counts as a whole one if its slice is seen, and counts more on a slanted ray.
 TEST(Brightness, CountsHalfHiddenSlabsAskance) {
     Scene scene{projector(), perspectiveView(glm::dmat4(1.0), 3.0, 1.0, 0.1, std::numeric_limits<double>::infinity())};
     scene.light.worldFromLight = lookingAt({-20.0, -1.0, -2.0}, {-20.0, 3.0, -2.0}, {1.0, 0.0, 0.0});

@@ -1,4 +1,4 @@
-// A container that is full says so, and the planner's caller gets an Error.
+// A full container throws, and the planner's caller gets an Error.
 #include "geometry/capacity.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(SlicePolygon, ThrowsWhereACornerWouldBeLost) {
     EXPECT_EQ(polygonOf(capacity).count, SlicePolygon::capacity);
     EXPECT_THROW(polygonOf(capacity + 1), CapacityExceeded);
     SlicePolygon inside, outside;
-    // Cuts off one corner: the rest has one more.
+    // Cuts off one corner: the rest gains a corner.
     const SlicePolygon full = polygonOf(capacity);
     const glm::dvec2 towards = glm::normalize(full.corners[0]);
     const double offset = glm::length(full.corners[0]) - 1e-4;
@@ -80,7 +80,7 @@ TEST(ConvexPolyhedron, ThrowsWhereAFaceWouldBeLost) {
     EXPECT_THROW(cut(solid, side(30), 1e-9), CapacityExceeded);
 }
 
-// As many planes as the bounds of Light let pass, and walls and a beam on top, fit.
+// The capacity suffices for the maximum number of clip planes, with walls and a beam.
 TEST(LightVolume, HasRoomForEveryPlaneThatALightMayBring) {
     Light light = projector();
     for (std::size_t i = 0; i < maxClipPlanes; ++i) {

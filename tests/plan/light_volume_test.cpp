@@ -27,7 +27,7 @@ TEST(ConvexPolyhedron, KeepsEulersFormula) {
         for (int i = 0; i < 10; ++i) {
             planes.push_back({glm::normalize(inCube(random, 1.0)), between(random, 0.1, 1.5)});
             ASSERT_TRUE(cut(solid, planes.back(), 1e-12));
-            // Faces that a plane took away whole have no edge left.
+            // A face that a plane removed has no edges.
             std::vector<int> sides(solid.faces, 0);
             for (const auto& edge : solid.edges)
                 for (const auto face : edge.faces) ++sides[face];
@@ -82,7 +82,7 @@ TEST(LightVolume, StartsAtTheNearPlaneWithTheEyeInside) {
         EXPECT_EQ(volume.hidden, Verdict::Drawn);
         EXPECT_NEAR(volume.nearDepth, view.nearPlane, 1e-14);
     }
-    // Looking the other way down the beam, what is seen ends where the beam starts.
+    // Looking back along the beam, the seen part ends at the beam's start.
     EXPECT_NEAR(volumeOf(lampAt({0, 0, -3}, {0, 0, 1}), view).farShown, 2.5, 1e-14);
 }
 
@@ -144,7 +144,7 @@ std::vector<HiddenCase> hiddenCases() {
         {"left of the picture", lampAt({-20, 0, -5}, {0, 0, -1}), view, Verdict::BesideView},
         {"below the picture", lampAt({0, -20, -5}, {0, 0, -1}), view, Verdict::BesideView},
         {"shining into the picture from the left", lampAt({-8, 0, -5}, {1, 0, 0}), view, Verdict::Drawn},
-        // No corner of it is seen, and no corner of the picture lies in it at any one depth alone.
+        // None of its corners is in the picture, and no corner of the picture lies in it.
         {"across the picture", lampAt({-4, 0, -2.5}, {1, 0, 0}), view, Verdict::Drawn},
         {"around the eye", lampAt({0, 0, 3}, {0, 0, -1}), view, Verdict::Drawn},
     };
@@ -160,7 +160,7 @@ TEST(LightVolume, SaysWhatHidesIt) {
     }
 }
 
-// The solid is cut by the same planes, but where a cut's rounding lands is not for the slabs to say.
+// The same planes cut the solid, but its rounding must not change the slabs' depths.
 TEST(LightVolume, KeepsExactlyToTheViewsDepths) {
     Random random(3);
     View view = perspectiveView(glm::dmat4(1.0), 60.0 * degrees, 1.5, 0.3, 7.3);
@@ -180,7 +180,7 @@ TEST(LightVolume, KeepsExactlyToTheViewsDepths) {
     EXPECT_GT(std::min({cutNear, cutFar, cutByScene}), 20);
 }
 
-// Whatever the planner leaves out must not hold a single visible point.
+// A light that the planner leaves out must not have a visible point.
 TEST(LightVolume, HidesNothingThatShows) {
     Random random(2);
     const View view = perspectiveView(glm::dmat4(1.0), 60.0 * degrees, 1.5, 0.1, 30.0);
@@ -205,11 +205,11 @@ TEST(LightVolume, HidesNothingThatShows) {
     EXPECT_LT(hidden, 1800);
 }
 
-// Planes of pyramid and view that coincide exactly, or nearly, in all directions of rounding.
+// Planes of pyramid and view that coincide, exactly or up to rounding.
 TEST(LightVolume, StandsDegeneratePoses) {
     const View view = perspectiveView(glm::dmat4(1.0), 40.0 * degrees, 1.0, 0.5, 6.0);
     Light light = projector();
-    light.fov = {40.0 * degrees, 40.0 * degrees};  // the very frustum of the view
+    light.fov = {40.0 * degrees, 40.0 * degrees};  // the same frustum as the view
     EXPECT_EQ(volumeOf(light, view).hidden, Verdict::Drawn);
     EXPECT_NEAR(volumeOf(light, view).farShown, 6.0, 1e-14);
     for (int turn = -50; turn <= 50; ++turn) {

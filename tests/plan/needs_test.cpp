@@ -1,4 +1,4 @@
-// Whether a light calls for its shadow map, cookie and noise, against segments and texture coordinates at random.
+// Whether a light needs its shadow map, cookie and noise, against random segments and texture coordinates.
 #include "needs/needs.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct Way {
     SeenAir air;
 };
 
-// A projector anywhere, of whose air some box in slide and axis coordinates is seen.
+// A random projector; the seen air is a box in slide and axis coordinates.
 Way randomWay(Random& random) {
     Way way;
     way.light = projector();
@@ -40,7 +40,7 @@ Way randomWay(Random& random) {
     return way;
 }
 
-// Turned, stretched and sheared anyhow, somewhere around the beam.
+// A box with random rotation, scale and shear, near the beam.
 OccluderBox randomBox(Random& random, const Light& light) {
     OccluderBox box;
     const glm::dvec3 scale(between(random, 0.3, 2.0), between(random, 0.3, 2.0), between(random, 0.3, 2.0));
@@ -59,7 +59,7 @@ OccluderSet setOf(const OccluderBox& box) {
     return OccluderSet::fromBoxes(std::span(&box, 1)).value();
 }
 
-// Share of the way from `from` to `to` at which the segment enters the box; infinite where it misses.
+// Position where the segment enters the box, from 0 at `from` to 1 at `to`; infinite if it misses.
 double entry(const OccluderBox& box, const glm::dvec3& from, const glm::dvec3& to) {
     const glm::dmat4 boxFromWorld = glm::inverse(box.worldFromBox);
     const glm::dvec3 a(boxFromWorld * glm::dvec4(from, 1.0)), b(boxFromWorld * glm::dvec4(to, 1.0));
@@ -95,7 +95,7 @@ TEST(ShadowNeed, MissesNoOccluder) {
             const glm::dvec3 point = seenPoint(random, way);
             const double axis = -point.z;
             const glm::dmat4& world = way.light.worldFromLight;
-            // What stands before the near plane throws no shadow.
+            // Occluders before the near plane throw no shadow.
             const glm::dvec3 from(world * glm::dvec4(point * (way.light.nearPlane / axis), 1.0));
             const glm::dvec3 to(world * glm::dvec4(point, 1.0));
             for (const OccluderBox& box : boxes) {
@@ -117,7 +117,8 @@ TEST(ShadowNeed, MissesNoOccluder) {
     EXPECT_GT(needed, 300);
     EXPECT_GT(spared, 300);
     EXPECT_GT(divided, 50);
-    // Grazed by fewer than one segment in 300, flat ones seen edge on: those may be called for, but not many.
+    // Fewer than one segment in 300 hits these, such as flat boxes seen edge on. Some of them may be needed, but not
+    // many.
     EXPECT_LT(needless, needed / 4);
 }
 
@@ -127,7 +128,7 @@ TEST(ShadowNeed, IsNoneWithoutOccluders) {
     EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, {}, 1024, scratch).needed);
 }
 
-// A texel and a half beyond what is seen is looked up too; the widest of maps makes that wide.
+// Filtering reads a texel and a half beyond the seen air, which is wide in the coarsest map.
 TEST(ShadowNeed, CountsWhatFilteringReads) {
     Way way;
     way.light = projector();
@@ -195,13 +196,13 @@ TEST(ShadowNeed, LeavesTheWallItselfOut) {
     EXPECT_NEAR(needed().firstOccluder, 3.9, 1e-3);
 }
 
-// The cookie's value at the uv that each seen point projects to, by hand from Light's convention.
+// The cookie's value at the uv of each seen point, derived from Light's convention.
 TEST(CookieRange, HoldsWhatEverySeenPointReads) {
     Random random(3);
     for (int trial = 0; trial < 200; ++trial) {
         Way way = randomWay(random);
         way.light.cookie = true;
-        std::vector<glm::vec4> texels;  // a different grey in each of 32 x 32, so cells are texels
+        std::vector<glm::vec4> texels;  // 32 x 32 different greys, so cells are texels
         for (int i = 0; i < 1024; ++i) texels.push_back(glm::vec4(static_cast<float>(i)));
         const TextureSurvey survey = surveyTexture(32, 32, texels, false);
         const FactorRange range = cookieRange(way.light, way.air, &survey);
@@ -209,7 +210,8 @@ TEST(CookieRange, HoldsWhatEverySeenPointReads) {
         for (int i = 0; i < 50; ++i) {
             const glm::dvec3 p = seenPoint(random, way);
             const double u = 0.5 + 0.5 * p.x / -p.z / slope.x, v = 0.5 - 0.5 * p.y / -p.z / slope.y;
-            const double value = std::floor(v * 32.0) * 32.0 + std::floor(u * 32.0);  // that texel is read in part
+            const double value = std::floor(v * 32.0) * 32.0 + std::floor(u * 32.0);  // filtering reads part of that
+                                                                                      // texel
             EXPECT_LE(range.min.r, value);
             EXPECT_GE(range.max.r, value);
         }

@@ -1,4 +1,4 @@
-// What is too faint to be seen, and no more than that, is left out.
+// Exactly those lights and terms are left out that are too faint to be seen.
 #include <gtest/gtest.h>
 
 #include "plan_scenes.h"
@@ -54,7 +54,7 @@ TEST(Omissions, StayUnderAQuarterStepTogether) {
             faint.add(std::exp(between(random, -12.0, 0.0)), range(), range());
         }
         faint.leaveOut(0.01);
-        // The largest change of a pixel that shows every light at its brightest or its faintest.
+        // The largest change of a pixel that gets the maximum or the minimum of every light.
         double error = 0.0;
         for (std::size_t i = 0; i < faint.lights.size(); ++i) {
             const PlannedLight& light = faint.lights[i];
@@ -135,7 +135,7 @@ TEST(Omissions, AreNoneWhereNothingMayBeLeftOut) {
     Faint unknown;
     unknown.options.displayStep = 0.1;
     unknown.add(0.0, {glm::dvec3(0.0), glm::dvec3(std::numeric_limits<double>::infinity())});
-    unknown.leaveOut(0.1);  // 0 * infinity is no number
+    unknown.leaveOut(0.1);  // 0 * infinity is NaN
     EXPECT_TRUE(unknown.lights[0].terms.contains(Term::Cookie));
 }
 

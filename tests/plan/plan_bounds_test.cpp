@@ -1,4 +1,4 @@
-// Every documented bound, broken: one sentence that names the place, the field and a remedy.
+// Breaks every documented bound and expects one sentence with the place, the field and a remedy.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -39,7 +39,7 @@ void expectBroken(const BrokenCase& c) {
     EXPECT_NE(message.find("; "), std::string::npos) << "names no remedy: " << message;
 }
 
-// Each value that is no number of its own, for a field and its place.
+// A field, with its place, that gets each non-finite value.
 std::vector<BrokenCase> notFinite(const char* names, const std::function<double&(Given&)>& field) {
     std::vector<BrokenCase> cases;
     for (const double value : {nan, infinity, -infinity}) cases.push_back({names, [=](Given& g) { field(g) = value; }});

@@ -1,4 +1,4 @@
-// The numbers the shader reads, against the optics they stand for.
+// The shader's constants, against the optics.
 #include <gtest/gtest.h>
 
 #include "plan_scenes.h"
@@ -27,7 +27,7 @@ TEST(Constants, ProjectAsTheSlideDoes) {
         const Scene scene = randomScene(random);
         const SliceConstants constants = constantsOf(scene, slices(4));
         for (int sample = 0; sample < 50; ++sample) {
-            // A ray leaves the lamp at two angles; its place on the slide is where it crosses it.
+            // Two angles give a ray from the lamp; its slide coordinates are those of its intersection with the slide.
             const double toRight = between(random, -20.0, 20.0) * degrees;
             const double upward = between(random, -12.0, 12.0) * degrees;
             const double axis = between(random, 0.5, 6.0);
@@ -118,13 +118,13 @@ TEST(Constants, NoiseScrollsWithoutLosingItsPhase) {
     EXPECT_NEAR(constants.noise2.w, 0.06, 1e-7);
     EXPECT_EQ(constants.dust, glm::vec4(1.0f, 2.0f, 0.0f, 0.0f));
 
-    // A million hours later by whole turns: nothing has changed.
+    // A million hours later, after whole turns, nothing has changed.
     options.time += 3.6e9;
     const SliceConstants later = constantsOf(scene, options);
     EXPECT_EQ(later.noise1, constants.noise1);
     EXPECT_NEAR(later.noise2.w, constants.noise2.w, 1e-7);
 
-    // Just before zero is just before a whole turn, which a float cannot tell from one.
+    // Just before zero is just before a whole turn, which a float rounds to 1.
     options.time = -1e-12;
     constants = constantsOf(scene, options);
     for (const glm::vec4& map : {constants.noise1, constants.noise2})

@@ -16,11 +16,11 @@ PlanOptions quads(int number) {
     return options;
 }
 
-// What vs_main makes of a vertex.
+// The output of vs_main for a vertex.
 struct Stretched {
     glm::dvec3 position;
     double thickness;
-    double kept;  // least clip distance
+    double kept;  // minimum clip distance
 };
 
 Stretched stretched(const SliceConstants& constants, const glm::dvec3& unit, double thickness) {
@@ -75,7 +75,7 @@ TEST(Quads, LieAtTheDepthsOfThePolygonsAndAroundThem) {
     }
 }
 
-// The volume's outermost corner lies between two slices: held by the bounds as rounded to float all the same.
+// The volume's outermost corner lies between two slices; the rounded bounds must still hold it.
 TEST(Quads, HoldTheWholeVolumeAfterRounding) {
     Random random(5);
     for (int trial = 0; trial < 200; ++trial) {

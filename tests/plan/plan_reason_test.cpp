@@ -1,4 +1,4 @@
-// Which technique, and what a plan says about it.
+// The technique of a light, and the plan's explanation.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -15,7 +15,7 @@ TEST(Technique, IsNamedAfterExactlyItsTerms) {
     for (const TermSet terms : allTermSets) {
         std::string expected = "clip";
         for (const Term term : allTerms)
-            if (terms.contains(term) || term != Term::Scattering)  // the published names do not know it
+            if (terms.contains(term) || term != Term::Scattering)  // the published names lack it
                 expected += (terms.contains(term) ? "_" : "_no") + std::string(nameOf(term));
         EXPECT_EQ(techniqueName(terms), expected + "_technique");
         EXPECT_EQ(termsOf(techniqueName(terms)), terms);

@@ -1,4 +1,4 @@
-// Slices routed into four channels of one grey value, and what becomes of colour.
+// Slices routed into four channels of one grey value, and the colour of the result.
 #include <gtest/gtest.h>
 
 #include "plan_scenes.h"
@@ -49,7 +49,7 @@ TEST(Routed, NumberIsTheSlabsEvenWhereSlicesAreEmpty) {
     }
 }
 
-// Compositing gives tint * grey / scale, with grey the luminance of what the shader computes.
+// Compositing gives tint * grey / scale; grey is the luminance of the shader's result.
 TEST(Routed, GreyTimesTintIsTheColour) {
     Random random(3);
     Scene scene = randomScene(random);

@@ -1,4 +1,4 @@
-// Lights, eyes and measurements that the plan's tests share. Nothing here uses the planner's own maths.
+// Lights, eyes and measurements that the plan's tests share, independent of the planner's code.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -163,7 +163,7 @@ inline double summedVolume(const Plan& plan, const PlannedLight& light) {
     return sum;
 }
 
-/// Least signed distance of a point to the sides of a counter-clockwise convex polygon, positive inside.
+/// Minimum signed distance of a point to the sides of a counter-clockwise convex polygon, positive inside.
 inline double insideBy(const Corners& polygon, const glm::dvec2& point) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -180,7 +180,7 @@ inline Plan planned(const std::vector<Light>& lights, const View& view, const Pl
     return result ? *std::move(result) : Plan{};
 }
 
-/// The uniform block of a light of which something is drawn.
+/// The uniform block of a drawn light.
 inline const SliceConstants& constantsOf(const Plan& plan, std::size_t light) {
     const auto part =
         std::find_if(plan.parts.begin(), plan.parts.end(), [&](const PlannedPart& p) { return p.light == light; });
@@ -207,7 +207,7 @@ struct Scene {
     View view;
 };
 
-/// A projector somewhere near, turned anyhow, all of it before the eye.
+/// A projector nearby in a random pose, all of it before the eye.
 inline Scene randomScene(Random& random) {
     Scene scene{projector(), wideView(rigidMotion(random, 20.0))};
     glm::dmat4 viewFromLight = rigidMotion(random, 2.0);

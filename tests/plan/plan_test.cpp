@@ -1,4 +1,4 @@
-// Laws that slices obey, whatever the scene.
+// Laws of slices for any scene.
 #include <gtest/gtest.h>
 
 #include "plan_scenes.h"
@@ -9,8 +9,7 @@ namespace {
 using namespace test;
 
 // The area of the section is a quadratic of depth between the corners' depths and has kinks there, so the
-// midpoint rule is off by O(1/N^2). The constant holds for every shape below; the floats of the upload
-// add 1e-6.
+// error of the midpoint rule is O(1/N^2). The constant holds for every shape below; the floats of the upload add 1e-6.
 double midpointError(int slices) {
     return 20.0 / (slices * slices) + 1e-6;
 }
@@ -151,7 +150,7 @@ TEST(Slices, HoldExactlyTheVolumesPoints) {
             for (int sample = 0; sample < 100; ++sample) {
                 const glm::dvec2 around = corners[0] + glm::dvec2(inCube(random, 4.0));
                 const double truth = insideBy(scene.light, scene.view, {around, -static_cast<double>(depth)});
-                if (std::fabs(truth) < 1e-5) continue;  // too close to call after rounding to float
+                if (std::fabs(truth) < 1e-5) continue;  // undecided after rounding to float
                 (truth > 0.0 ? inside : outside)++;
                 EXPECT_EQ(insideBy(corners, around) > 0.0, truth > 0.0) << "at distance " << truth;
             }
@@ -161,8 +160,8 @@ TEST(Slices, HoldExactlyTheVolumesPoints) {
     EXPECT_GT(outside, 500);
 }
 
-// What the shader adds up along a pixel's ray, for air that scatters 1 everywhere, is the ray's way through
-// the volume; each end falls somewhere into a slab, half of which may be counted or missed.
+// In air that scatters 1 everywhere, the shader's sum along a pixel's ray is the ray's length in the volume. Each end
+// lies within a slab, so half a slab may be added or missed.
 void expectChords(const Scene& scene, int number, Random& random) {
     const Plan result = planned({scene.light}, scene.view, slices(number));
     const PlannedLight& light = result.lights[0];

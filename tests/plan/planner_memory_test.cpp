@@ -1,4 +1,4 @@
-// A Planner that has seen a few frames allocates nothing any more.
+// A Planner stops allocating after a few frames.
 #include <gtest/gtest.h>
 
 #include "allocations.h"
@@ -11,7 +11,7 @@ using namespace test;
 
 // Lights of all kinds among boxes, walls and depths, seen from a path around them.
 struct Stage {
-    Stage(const Stage&) = delete;  // its surroundings point into it
+    Stage(const Stage&) = delete;  // its surroundings hold pointers into it
     std::vector<Light> lights;
     OccluderSet occluders;
     BlockerSet blockers;
@@ -82,7 +82,7 @@ TEST(Planner, AllocatesNothingInTheSteadyState) {
                     std::size_t drawn = 0, steady = 0;
                     for (int frame = 0; frame < 200; ++frame) {
                         options.time = 0.02 * frame;
-                        const View view = onTheWay(frame % 100);  // the second round has been seen before
+                        const View view = onTheWay(frame % 100);  // the second round repeats the first
                         glm::dmat4 moving(1.0);
                         moving[3].y = 0.1 * (frame % 100);
                         const std::size_t before = allocations();

@@ -56,7 +56,7 @@ TEST(PolygonSplit, SharesItsCornersBitForBit) {
         int shared = 0;
         for (const auto& corner : in) shared += out.contains(corner);
         EXPECT_EQ(shared, 2);
-        // And no corner of the whole is lost.
+        // No corner of the whole is lost.
         for (const auto& corner : all) EXPECT_TRUE(in.contains(corner) || out.contains(corner));
     }
     EXPECT_GT(both, 500);

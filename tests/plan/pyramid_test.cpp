@@ -54,7 +54,7 @@ TEST(Pyramid, HasItsCornersInTheirOrder) {
         EXPECT_LT(glm::distance(corners[i], expected[i]), 1e-14) << i;
 }
 
-// A corner lies on the three planes that meet in it, and inside of the other three.
+// A corner lies on its three planes, and inside the other three.
 TEST(Pyramid, HoldsItsCornersBetweenItsPlanes) {
     for (const Light& light : lights()) {
         const Pyramid pyramid = pyramidOf(light);
@@ -121,7 +121,7 @@ double maxCornerDistance(const Pyramid& pyramid, const glm::dvec3& from) {
     return max;
 }
 
-// The distance to the farthest corner is a convex function of the centre: what is smallest nearby is smallest.
+// The distance to the farthest corner is a convex function of the centre: a local minimum is the global one.
 TEST(Pyramid, HasTheSmallestSphereAroundIt) {
     for (const Light& light : lights()) {
         const Pyramid pyramid = pyramidOf(light);

@@ -1,4 +1,4 @@
-// What the scattering term can be over the air that is seen, against points of it; and who gets the term.
+// Bounds of the scattering term over the seen air, against its points; and the lights that get the term.
 #include "needs/scattering.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-// As slices.fx states it, by cosine and powers.
+// The formula of slices.fx, by cosine and powers.
 double factorAt(const Light& light, const View& view, const LightPose& pose, const glm::dvec3& p) {
     const glm::dvec3 fromLamp = p - glm::dvec3(pose.viewFromLight[3]);
     const glm::dvec3 toEye = view.orthographic ? glm::dvec3(0.0, 0.0, 1.0) : glm::normalize(-p);

@@ -1,4 +1,4 @@
-// What the picture shows of a light's volume, against points thrown into it at random.
+// The part of a light's volume that the picture shows, against random points of the volume.
 #include "visibility/seen_air.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Shot {
     SeenAir air;
 };
 
-// A projector somewhere around, seen at any angle, and depths from right before it to open air.
+// A nearby projector seen at any angle, and depths from just before it to infinity.
 Shot randomShot(Random& random, bool withTiles) {
     Shot shot;
     shot.light = projector();
@@ -106,7 +106,7 @@ TEST(SeenAir, HoldsEveryPointThatAPixelShows) {
     EXPECT_GT(hidden, 20) << "some see nothing";
 }
 
-// The farthest of two points that one ray shows.
+// The maximum distance of two points that one ray shows.
 TEST(SeenAir, NoRayRunsFartherThroughIt) {
     Random random(2);
     int rays = 0;

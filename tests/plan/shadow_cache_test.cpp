@@ -1,4 +1,4 @@
-// ShadowCache: a map is stale when, and only when, something that it shows is another.
+// ShadowCache: a map is stale if, and only if, something that it shows has changed.
 #include <gtest/gtest.h>
 #include <tyndall/shadow_cache.h>
 
@@ -31,7 +31,7 @@ protected:
     ShadowCacheTest() { cache.drawn(0, light, casters, size); }
     bool stale(std::uint32_t side = size) const { return cache.stale(0, light, casters, side); }
 
-    /// One value changed by the least that it can be makes the map stale, and back again makes it fresh.
+    /// The smallest change of one value makes the map stale; the old value makes it fresh again.
     void expectCounts(double& value) {
         const double was = value;
         for (const double other : {std::nextafter(was, 1e9), std::nextafter(was, -1e9), was + 1.0,

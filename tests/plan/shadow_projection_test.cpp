@@ -1,4 +1,4 @@
-// What a light's shadow map stores, and how fine it is.
+// The depths that a light's shadow map stores, and its resolution.
 #include "shape/shadow_projection.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(TexelSlopes, DivideTheMapsSide) {
     EXPECT_NEAR(texelSlopes(shapeOf(light), 256, 1.5).x, 1.5 / 256.0 * all.x, 1e-16);
 }
 
-// Against where two rays a texel apart meet the plane.
+// Against the intersections of two rays, a texel apart, with the plane.
 TEST(MapErrorShare, IsTheDepthBetweenNeighbouringTexels) {
     Random random(2);
     const LightShape shape = shapeOf(projector());

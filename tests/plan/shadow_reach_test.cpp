@@ -1,4 +1,4 @@
-// mayShade(): never false for a box that a light's pyramid meets, and false for those that are clear of it.
+// mayShade(): true for all boxes that a light's pyramid meets, and false for boxes clearly outside.
 #include <gtest/gtest.h>
 #include <tyndall/shadow_cache.h>
 
@@ -57,7 +57,7 @@ TEST(MayShade, EveryBoxWithAPointInThePyramid) {
         clear += !may;
         ASSERT_TRUE(may || !meets) << "round " << round;
     }
-    // Neither answer is given blindly.
+    // Both results must occur.
     EXPECT_GT(met, 1000);
     EXPECT_GT(clear, 2000);
 }

@@ -1,5 +1,5 @@
-// The slabs of depth that a light is drawn with: they tile its depths, keep their thickness law, stand still in the
-// beam and move by little where lamp or eye do.
+// The slabs of depth that a light is drawn with: they tile its depths, follow their thickness law, stand still in the
+// beam and move little when lamp or eye move little.
 #include "slabs/slabs.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ Beam beamOf(const Light& light, const View& view) {
     return beam;
 }
 
-// Seen from anywhere, from within it as well.
+// Seen from anywhere, also from inside.
 Beam randomBeam(Random& random) {
     Light light = projector();
     light.nearPlane = between(random, 0.01, 0.5);
@@ -90,7 +90,7 @@ TEST(Slabs, AreNumberedTowardsTheEye) {
     }
 }
 
-// Least distance from the lamp of what the pyramid has at that depth, by sampling.
+// Minimum distance from the lamp to the pyramid's cross-section at that depth, by sampling.
 double nearestOf(const Beam& beam, double depth) {
     const glm::dvec2 slope = glm::tan(0.5 * beam.light.fov);
     double least = infinity;
@@ -109,8 +109,8 @@ double widthOf(const Light& light) {
     return 2.0 * std::tan(0.5 * std::min(light.fov.x, light.fov.y));
 }
 
-// Interior slabs are at most as thick as growth times the distance of the nearest air in them, where the budget
-// does not bind and nothing is too thin to be seen, but for the change of the distance within a slab.
+// If neither the budget nor the minimum thickness applies, interior slabs are at most as thick as growth times the
+// distance of their nearest air, apart from the change of the distance within a slab.
 TEST(Slabs, AreThinAsTheirDistanceFromTheLampDemands) {
     Random random(3);
     int looked = 0;
@@ -134,13 +134,13 @@ TEST(Slabs, AreThinAsTheirDistanceFromTheLampDemands) {
     EXPECT_GT(looked, 300);
 }
 
-// However coarse what is projected: along the beam's axis, the slabs' midpoints stand for 1 / d^2 to a hundredth,
-// whether the eye looks along the beam or into it.
+// For any resolution of the projected textures: along the beam's axis the midpoint rule integrates 1 / d^2 to a
+// hundredth, whether the eye looks along the beam or into it.
 TEST(Slabs, IntegrateTheInverseSquare) {
     for (const double sign : {1.0, -1.0}) {
         Light light = projector();
         light.nearPlane = 0.05;
-        light.fov = glm::dvec2(1.8);  // so wide that its width asks for nothing
+        light.fov = glm::dvec2(1.8);  // so wide that its width sets no limit
         light.worldFromLight = lookingAt({0.0, 0.0, -10.0}, {0.0, 0.0, -10.0 - sign});
         const Slabs slabs = slabsFor(beamOf(light, wideView(glm::dmat4(1.0))), adaptive(65536));
         double sum = 0.0;
@@ -151,8 +151,8 @@ TEST(Slabs, IntegrateTheInverseSquare) {
     }
 }
 
-// What is finer than a pixel need not be told apart; a beam that is thinner than two pixels is a line, of which a
-// quarter of a pixel is an eighth.
+// Slabs need not be thinner than a pixel. A beam thinner than two pixels is a line; a quarter of a pixel is an eighth
+// of it.
 TEST(Slabs, AreNoThinnerThanAQuarterOfAPixelAndWhereTheBeamIsWideThanAPixel) {
     Random random(4);
     int wide = 0;
@@ -172,7 +172,8 @@ TEST(Slabs, AreNoThinnerThanAQuarterOfAPixelAndWhereTheBeamIsWideThanAPixel) {
     EXPECT_LT(wide, 180);
 }
 
-// A narrow beam across the view, in even air: a ray through its axis meets the slices that its width there asks for.
+// A narrow beam across the view, in even air: a ray through its axis meets the number of slices for the beam's width
+// there.
 TEST(Slabs, EightSpanTheWidthOfABeamSeenFromTheSide) {
     Light light = projector();
     light.fov = glm::dvec2(glm::radians(10.0));
@@ -183,12 +184,12 @@ TEST(Slabs, EightSpanTheWidthOfABeamSeenFromTheSide) {
         const double half = 0.5 * widthOf(light) * along;
         int met = 0;
         for (const Slab& slab : slabsIn(slabs)) met += std::abs(slab.middle - 12.0) < half;
-        EXPECT_GE(met, 7) << along;  // one may begin before the beam and one end behind it
+        EXPECT_GE(met, 7) << along;  // the first may begin before the beam, the last may end behind it
         EXPECT_LE(met, 60) << along;
     }
 }
 
-// The end of slab `number` towards the eye; empty where it is not among them.
+// The end of slab `number` towards the eye; empty if there is no such slab.
 std::map<int, double> boundaries(const Slabs& slabs) {
     std::map<int, double> all;
     for (int i = 0; i + 1 < slabs.count; ++i) {  // the last one's is the volume's
@@ -219,8 +220,8 @@ TEST(Slabs, StandStillInTheBeamWhileTheEyeComesNearer) {
     }
 }
 
-// A millionth of a change in the pose changes each boundary by about as little, whether or not the budget binds, and
-// as a boundary enters or leaves at an end.
+// A change of the pose by a millionth changes each boundary by about as little, with or without the budget's limit, and
+// also when a boundary enters or leaves at an end.
 TEST(Slabs, MoveByLittleWhereThePoseDoes) {
     Random random(5);
     int bound = 0, entered = 0;
@@ -238,8 +239,8 @@ TEST(Slabs, MoveByLittleWhereThePoseDoes) {
         beam = beamOf(beam.light, beam.view);
         const Slabs second = slabsFor(beam, options, detail, 1e-3);
         const std::map<int, double> before = boundaries(first), after = boundaries(second);
-        // How far the volume's ends move, times how strongly boundaries hang on them: the secant may be 1 / cos(89 degrees),
-        // and the closed form has its derivative in it.
+        // The movement of the volume's ends times the boundaries' dependence on them: the secant may be 1 / cos(89
+        // degrees), and the closed form contains its derivative.
         const double allowed = 3e4 * tiny;
         for (const auto& [number, depth] : after) {
             if (before.contains(number)) {
@@ -273,8 +274,8 @@ TEST(Slabs, AreTheSameWhereEverythingIsDrawn) {
 }
 
 TEST(Slabs, AreNotTooManyBehindAWall) {
-    // Of a beam of which a wall leaves a millimetre, the budget is for that millimetre; what lies behind it, which is
-    // drawn where everything is, must stay a number.
+    // If a wall leaves a millimetre of a beam, the budget is for that millimetre. The slabs behind it, which
+    // PlanOptions::everything draws, must stay limited in number.
     Beam beam = beamOf(projector(), wideView(lookingAt({0.0, 0.0, 3.0}, {0.0, 0.0, -3.0})));
     beam.volume.farLit = beam.volume.nearLit + 1e-9;
     const Slabs slabs = slabsFor(beam, adaptive(100), 1e-14);

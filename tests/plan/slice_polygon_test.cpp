@@ -66,7 +66,7 @@ TEST(SlicePolygon, IsEmptyWhereNothingIsLeft) {
     EXPECT_EQ(cutBy({{0.0, 0.0, 1.0, 4.0}}).count, 0u) << "parallel, the slice on the wrong side";
     EXPECT_EQ(cutBy({{1.0, 0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0, 0.0}}).count, 0u) << "a line";
     EXPECT_EQ(cutBy({{1.0, 0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0, 1e-17}}).count, 0u) << "a sliver";
-    // A speck whose corners stand apart, but whose area is below 1e-16 of the square of 5 m across.
+    // A polygon with distinct corners whose area is below 1e-16 of the square of 5 m.
     EXPECT_EQ(cutBy({{1.0, 1.0, 0.0, -4.0 + 1e-8}}).count, 0u) << "a corner of a hundredth of a micrometre";
     EXPECT_EQ(cutBy({{1.0, 1.0, 0.0, -4.0 + 1e-6}}).count, 3u) << "a corner of a micrometre";
 }
@@ -83,8 +83,8 @@ TEST(SlicePolygon, MakesOneCornerWhereThreeLinesMeet) {
 }
 
 TEST(SlicePolygon, MakesOneCornerOfTwoWhereverCountingBegins) {
-    // Each cuts a corner of the rectangle off by less than rounding: two corners in its place, next to each other,
-    // the first and the last ones included.
+    // Each plane cuts off a corner of the rectangle by less than rounding. That makes two neighbouring corners of one,
+    // also of the first and the last.
     for (const glm::dvec2 corner : {low, glm::dvec2(high.x, low.y), high, glm::dvec2(low.x, high.y)}) {
         const glm::dvec2 inward = glm::sign(0.5 * (low + high) - corner);
         const double offset = -glm::dot(inward, corner) - 1e-13;

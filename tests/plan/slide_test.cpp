@@ -1,4 +1,4 @@
-// Where a light's slide lies: the corners of the field of view are the corners of the slide.
+// The slide's projection: the corners of the field of view are the corners of the slide.
 #include "shape/slide.h"
 
 #include <gtest/gtest.h>

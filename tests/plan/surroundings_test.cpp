@@ -1,4 +1,4 @@
-// Surroundings that make no sense are named, and leave no plan.
+// Invalid surroundings give an error and no plan.
 #include <gtest/gtest.h>
 
 #include "plan_scenes.h"
@@ -28,7 +28,7 @@ std::string whyRefused(const Bad& bad) {
     surroundings.surveys = bad.surveys;
     Planner planner;
     Plan plan;
-    // What was there before does not stay where a plan fails.
+    // After an error the plan is empty, even if it held something before.
     EXPECT_TRUE(planner.plan(std::span(&scene.light, 1), scene.view, slices(4), {}, plan));
     EXPECT_FALSE(plan.vertices.empty());
     const Result<void> done = planner.plan(std::span(&scene.light, 1), scene.view, slices(4), surroundings, plan);

@@ -1,4 +1,4 @@
-// Every verdict, in a scene that calls for it, and the words for it.
+// Every verdict, in a scene that causes it, and its sentence.
 #include <gtest/gtest.h>
 
 #include "plan_scenes.h"
@@ -19,7 +19,7 @@ TextureSurvey patterned(float least, float most, bool wraps = false) {
     return surveyTexture(64, 64, texels, wraps);
 }
 
-// A projector at the origin that looks along -Z; the eye stands 6 m to its right and looks at it askance.
+// A projector at the origin that looks along -Z; the eye stands 6 m to its right and looks at it at an angle.
 struct Case {
     Light light = projector();
     View view = perspectiveView(lookingAt({6.0, 0.5, -1.0}, {0.0, 0.0, -3.0}), 1.0, 1.5, 0.1,
@@ -126,7 +126,7 @@ TEST(Verdict, Hidden) {
     Case c;
     c.light.shadow = true;
     c.blockers = {wallAt(-1.0, 9.0)};
-    // Looks at what would lie behind the wall, from before it.
+    // Looks at the air behind the wall, from before the wall.
     c.view.worldFromView = lookingAt({3.0, 0.0, -0.5}, {1.0, 0.0, -4.0});
     c.light.fov = {1.2, 1.2};
     c.view.clipFromView = perspectiveView(glm::dmat4(1.0), 0.3, 1.0, 0.1, 100.0).clipFromView;
@@ -165,7 +165,7 @@ TEST(TermVerdict, NotAskedOrDrawn) {
     EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::NotAsked);
     c.light.noise = Noise{};
     c.light.shadow = c.light.cookie = true;
-    light = c.planned();  // nothing is known of what they look like
+    light = c.planned();  // there are no surveys of the textures
     EXPECT_EQ(light.verdicts[Term::Noise], TermVerdict::Drawn);
     EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::Drawn);
     EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Drawn);
@@ -200,7 +200,7 @@ TEST(TermVerdict, Uniform) {
     c.light.noise->gain = 2.0;
     c.cookie = uniformSurvey(0.25f);
     c.noise = uniformSurvey(0.5f, true);
-    const Plan plan = c.plan();  // though no display step is known
+    const Plan plan = c.plan();  // although no display step is known
     const PlannedLight& light = plan.lights.at(0);
     EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Uniform);
     EXPECT_EQ(light.verdicts[Term::Noise], TermVerdict::Uniform);
@@ -260,7 +260,7 @@ TEST(Savings, TellOfWallsAndOfWhatIsSeen) {
     EXPECT_EQ(words[2], "Seen: 3.5 m of its 5.5 m along the axis, from 0.5 m to 4 m.");
 }
 
-// Light goes on behind a wall where no shadow is drawn, and quads cannot be cut by more planes than the shader has.
+// Without shadows light continues behind a wall, and the shader has no planes left to cut quads at it.
 TEST(Savings, EndAtNoWallThatCannotBeDrawn) {
     Case c;
     c.light.shadow = true;
@@ -277,7 +277,7 @@ TEST(Savings, EndAtNoWallThatCannotBeDrawn) {
     EXPECT_NEAR(c.planned().seenFar, 6.0, 1e-6);
 }
 
-// Only where slices are really divided.
+// Only if slices are really divided.
 TEST(Savings, DoNotTellOfADivisionThatIsNotMade) {
     Case c;
     c.light.shadow = true;

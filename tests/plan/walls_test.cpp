@@ -1,4 +1,4 @@
-// Walls that hold up all of a light, against rays thrown at their triangles.
+// Walls that stop all of a light, against random rays.
 #include "visibility/walls.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using namespace test;
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-// Distance along the ray, in its direction's lengths; infinite where it misses.
+// Distance along the ray, in lengths of its direction; infinite if it misses.
 double hit(const glm::dvec3& from, const glm::dvec3& direction, const Triangle& t) {
     // Cramer's rule for from + s * direction = t0 + u * (t1 - t0) + v * (t2 - t0).
     const glm::dmat3 system(-direction, t[1] - t[0], t[2] - t[0]);
@@ -88,7 +88,7 @@ TEST(Walls, NeedLampAndEyeBeforeThem) {
     EXPECT_TRUE(wallsIn(withWall(rectangle(-7.0 * z, 3.0 * x, 3.0 * y))).empty()) << "beyond the far end";
 }
 
-// Rays begin on the near plane: where part of that lies behind a wall, the picture shows what the wall is to hide.
+// Rays begin on the near plane. If part of it lies behind a wall, the picture shows the air that the wall hides.
 TEST(Walls, NeedTheWholePictureBeforeThem) {
     Room room = withWall(rectangle(-4.0 * z - 1.0 * y, 9.0 * x, 9.0 * z));  // a floor
     room.light.worldFromLight = lookingAt({0.0, 0.0, 0.0}, {0.0, -3.0, -3.0});
@@ -119,7 +119,7 @@ TEST(Walls, FormCornersTogether) {
 }
 
 TEST(Walls, HaveNoHole) {
-    // The face is the pyramid's section at 4 m, 3.4 m across; cracks of a millionth of that are let pass.
+    // The face is the pyramid's section at 4 m, 3.4 m across; cracks of a millionth of that are allowed.
     Random random(1);
     for (const double side : {1.0, 0.3, 0.1, 0.01, 0.001, 0.0001}) {
         const double h = 0.5 * side;
@@ -157,7 +157,7 @@ TEST(Walls, HaveNoRoundHoleEither) {
         }
 }
 
-// Each triangle has a side on a tangent of the hole, and adds a corner to the one piece that is left of the face.
+// Each triangle has a side on a tangent of the hole, and adds a corner to the remaining piece of the face.
 TEST(Walls, HaveNoHoleOfMoreCornersThanAPieceHolds) {
     Room room;
     Blocker& wall = room.blockers.emplace_back();
@@ -170,8 +170,8 @@ TEST(Walls, HaveNoHoleOfMoreCornersThanAPieceHolds) {
     EXPECT_TRUE(wallsIn(room).empty());
 }
 
-// A map of 1024 over 40 by 24 degrees, a wall askance: what a texel aside differs by on it, from the wall's own
-// equation.
+// A map of 1024 texels over 40 by 24 degrees and a slanted wall: the difference between neighbouring texels, from the
+// wall's equation.
 TEST(Walls, KnowHowCoarselyAMapHoldsThem) {
     Room room = withWall(rectangle(-4.0 * z, 3.0 * x, 3.0 * (y + z)));  // z = -4 + y
     const std::vector<glm::dvec4> walls = wallsIn(room);
@@ -187,8 +187,8 @@ TEST(Walls, KnowHowCoarselyAMapHoldsThem) {
     EXPECT_NEAR(mapErrorAt(wallsIn(room), room.light, pose, 4.0, 1024), 0.0, 1e-12) << "head on, all texels agree";
 }
 
-// A floor 1.2 m below a lamp that shines along it: where it ends the beam, one texel of the map is metres of it, and a
-// bias of metres would take the shadows off what stands there.
+// A floor 1.2 m below a lamp that shines along it: at the end of the beam one texel of the map covers metres of it, and
+// a bias of metres would remove the shadows there.
 TEST(Walls, AreNotSteepToTheLight) {
     Room room = withWall(rectangle(-1.2 * y - 12.0 * z, 40.0 * x, 30.0 * z));
     const Blocker back = rectangle(-20.0 * z, 40.0 * x, 40.0 * y);
@@ -200,7 +200,7 @@ TEST(Walls, AreNotSteepToTheLight) {
     EXPECT_EQ(wallsIn(room, 1).size(), 1u) << "head on, one texel will do";
 }
 
-// Any rectangles: every ray of the lamp is blocked before it comes behind a wall.
+// Random rectangles: every ray of the lamp is blocked before it gets behind a wall.
 TEST(Walls, BlockEveryRay) {
     Random random(2);
     int found = 0, several = 0;

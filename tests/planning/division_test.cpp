@@ -1,4 +1,4 @@
-// A light that is drawn in parts adds up to the light drawn whole, and what is left out of it is dark.
+// The parts of a divided light add up to the undivided light, and the omitted parts are dark.
 #include <gtest/gtest.h>
 
 #include "room_on_gpu.h"
@@ -8,8 +8,8 @@ namespace {
 
 class Division : public GpuTest {
 protected:
-    // A lamp on the left shines to the right through the picture, over its whole width; a box stands in its way. No
-    // surface hides any of it.
+    // A lamp on the left shines to the right through the picture, over its whole width; a box blocks part of it. No
+    // surface hides it.
     static Recipe beam() {
         Recipe recipe;
         recipe.eyeZ = 40;
@@ -47,7 +47,7 @@ Picture added(const Picture& a, const Picture& b) {
 }
 
 // Pixels that differ by more than rounding: squares, quotients and sums of interpolated numbers are a few dozen
-// roundings. None may differ by more than the brightest slice there can be.
+// roundings. No pixel may differ by more than the brightest possible slice.
 int changedBySlices(const Picture& a, const Picture& b, const PlannedLight& light) {
     int changed = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -76,15 +76,15 @@ TEST_F(Division, PartsAddUpToTheWhole) {
             EXPECT_GT(litPixels(second), 20) << "most of what lies behind the occluder is dark";
             // Sums of at most 64 floats in another order.
             EXPECT_LE(largestDifference(added(first, second), both), 64 * 0x1p-24);
-            // The same slices with the shadow map looked up everywhere: before the occluder it answers 1, and a
-            // shader that multiplies by it may round a few times more or less.
+            // The same slices with the shadow map looked up everywhere: before the occluder it gives 1, and a shader
+            // that multiplies by it may round a few times more or less.
             const Picture whole = gpu.draw(planFor(room, true, room.surroundings())).picture;
             EXPECT_LE(largestDifference(both, whole), 64 * 0x1p-24);
         }
 }
 
-// Nothing is known of occluders, so slices are not divided. Their outlines lack two corners, and pixels whose centres
-// lie within 1/256 pixel of an outline may change by a slice; all others by what interpolation rounds.
+// The plan knows no occluders, so slices are not divided. Their outlines lack two corners, and pixels whose centres lie
+// within 1/256 pixel of an outline may change by a slice; all others by the rounding of interpolation.
 TEST_F(Division, IsTheUndividedDraw) {
     Room room;
     build(beam(), room);
@@ -98,7 +98,7 @@ TEST_F(Division, IsTheUndividedDraw) {
     EXPECT_LE(changedBySlices(divided, undivided, whole.lights[0]), Room::width * Room::height / 100);
 }
 
-// Before the first occluder no map is looked up: none is there to be bound, and none is missed.
+// Before the first occluder no map is read, so none is bound.
 TEST_F(Division, BeforeTheFirstOccluderThereIsNoShadowMap) {
     Room room;
     build(beam(), room);
@@ -117,8 +117,8 @@ TEST_F(Division, BeforeTheFirstOccluderThereIsNoShadowMap) {
     EXPECT_EQ(gpu.draw(onlyPart(plan, 1 - lit)).counters.descriptorsPushed, 2u) << "and the map";
 }
 
-// What lies behind a wall is as dark as the shadow map makes it, wall or not in the picture; but for the millimetre of
-// wallMargin(), a hundredth of a pixel, which one pixel centre in a hundred that a slice ends beside may fall into.
+// The shadow map makes the air behind a wall dark, whether the wall is in the picture or not. The exception is the
+// millimetre of wallMargin(), a hundredth of a pixel: one in a hundred pixel centres at a slice's end may lie in it.
 TEST_F(Division, UmbraIsNotDrawnAndDark) {
     Recipe recipe = beam();
     recipe.boxes.clear();
@@ -130,7 +130,7 @@ TEST_F(Division, UmbraIsNotDrawnAndDark) {
     Room room;
     build(recipe, room);
     room.options.displayStep = 0.0;
-    // Nothing in the picture hides what lies behind the wall.
+    // No surface in the picture hides the air behind the wall.
     room.depth = constantTexture(Room::width, Room::height, {0.0f});
     const RoomOnGpu gpu(room);
     Surroundings open = room.surroundings();

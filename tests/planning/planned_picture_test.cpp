@@ -1,4 +1,4 @@
-// Random scenes: the planned picture is the one in which nothing is left out.
+// Random scenes: the planned picture equals the picture without omissions.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace tyndall::test {
 namespace {
 
-// The same cases in every run; RC_PARAMS in the environment asks for others.
+// The cases are the same in every run; RC_PARAMS in the environment selects others.
 [[maybe_unused]] const int seeded = setenv("RC_PARAMS", "seed=4 max_success=500", 0);
 
 struct Compared {

@@ -1,4 +1,4 @@
-// Recipes at random, for rapidcheck: simpler ones have fewer lights and boxes and smaller numbers.
+// Random recipes for rapidcheck: simpler ones have fewer lights and boxes and smaller numbers.
 #pragma once
 
 #include <rapidcheck.h>

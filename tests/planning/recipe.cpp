@@ -28,7 +28,7 @@ void list(std::ostream& out, const std::vector<T>& all) {
 
 }  // namespace
 
-// As C++ writes it, to be pasted into a test.
+// As C++ code, to be pasted into a test.
 std::ostream& operator<<(std::ostream& out, const Recipe& r) {
     out << "Recipe{";
     list(out, r.lights);

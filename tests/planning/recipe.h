@@ -1,4 +1,4 @@
-// A random scene in a few whole numbers, so that a property-based test can make it smaller and print it.
+// A random scene as a few whole numbers, so that a property-based test can shrink and print it.
 #pragma once
 
 #include <iosfwd>
@@ -27,7 +27,7 @@ struct BoxRecipe {
     int yaw = 0;                           ///< degrees
 };
 
-/// A room of 8 x 8 m, 4 m high, whose floor and back wall may be there.
+/// A room of 8 x 8 m, 4 m high; floor and back wall are optional.
 struct Recipe {
     std::vector<LightRecipe> lights;
     std::vector<BoxRecipe> boxes;

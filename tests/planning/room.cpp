@@ -60,7 +60,7 @@ void addQuad(std::vector<Triangle>& triangles, const glm::dvec3& corner, const g
     triangles.push_back({corner, corner + u + v, corner + v});
 }
 
-// What a room's sets are made from.
+// The input for a room's occluder and blocker sets.
 struct Things {
     std::vector<OccluderBox> occluders;
     std::vector<Blocker> blockers;
@@ -83,7 +83,7 @@ void addBox(Room& room, Things& things, const BoxRecipe& recipe) {
     }
 }
 
-// A flat surface that is an occluder and a blocker as well.
+// A flat surface that is both an occluder and a blocker.
 void addSurface(Room& room, Things& things, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v) {
     addQuad(room.triangles, corner, u, v);
     Blocker blocker;
@@ -126,7 +126,7 @@ void castDepths(Room& room) {
             if (at >= view.nearPlane) depth = std::min(depth, at);
         }
         if (depth > view.farPlane) depth = infinity;
-        // Every tile that the pixel overlaps.
+        // All tiles that the pixel overlaps.
         const auto tiles = [](int i, int side, int count) {
             return std::pair(i * count / side, ((i + 1) * count - 1) / side);
         };

@@ -1,4 +1,4 @@
-// A recipe's scene as the planner and the renderer take it, with depths by ray casting.
+// A recipe's scene as input for planner and renderer, with depths by ray casting.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -32,10 +32,10 @@ struct Room {
     std::vector<LightSurvey> lightSurveys;
 
     Room() = default;
-    Room(const Room&) = delete;  // surveys are pointed at
+    Room(const Room&) = delete;  // others hold pointers to its surveys
     Room& operator=(const Room&) = delete;
 
-    /// All that may be known.
+    /// Complete surroundings.
     Surroundings surroundings() const;
 };
 

@@ -18,7 +18,7 @@ public:
         RendererCounters counters;  ///< of this picture
         std::uint64_t fragments = 0;
     };
-    /// `textures` other than the room's own, where there are any.
+    /// `textures` replace the room's own, if not empty.
     Shown draw(const Plan& plan, std::span<const LightTextures> textures = {}, Renderer& renderer = gpu().frozen) const;
 
     std::span<const LightTextures> textures() const { return views_; }
@@ -31,7 +31,7 @@ private:
     headless::Image depth_, sum_, colour_;
 };
 
-/// One that has made nothing yet.
+/// A new one that has made nothing yet.
 Renderer freshRenderer();
 
 }  // namespace tyndall::test

@@ -1,4 +1,4 @@
-// What a scene does not call for costs nothing: not little, nothing.
+// An effect that a scene does not need costs exactly nothing.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -71,7 +71,7 @@ TEST_F(ZeroCost, OfLightsThatAreNotDrawn) {
     }
 }
 
-// A thousand lights beside one that is drawn cost what they would if they were not there.
+// A thousand undrawn lights beside a drawn one cost nothing.
 TEST_F(ZeroCost, OfLightsBesideOneThatIsDrawn) {
     Room alone;
     build(withLights({plainLamp()}), alone);
@@ -99,7 +99,7 @@ TEST_F(ZeroCost, OfLightsBesideOneThatIsDrawn) {
     }
 }
 
-// Terms that a light has and the scene does not call for.
+// Terms that a light has and the scene does not need.
 struct Spared {
     const char* what;
     Term term;
@@ -140,7 +140,7 @@ TEST_F(ZeroCost, OfTermsThatAreNotCalledFor) {
     }
 }
 
-// A Renderer that was only ever asked for what a plan calls for holds nothing else.
+// A Renderer holds only the pipelines that its plans needed.
 TEST_F(ZeroCost, OfPipelinesThatNoLightCallsFor) {
     Recipe recipe = withLights({plainLamp(), plainLamp(), plainLamp()});
     recipe.lights[1].slide = Slide::Checks;

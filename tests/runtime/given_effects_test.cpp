@@ -1,5 +1,5 @@
-// Builds of the runtime's effects that the caller brings: the same picture from the same source, and a sentence
-// where one does not fit.
+// Builds of the runtime's effects that the caller gives: the same source gives the same picture, and an unsuitable
+// build gives an error.
 #include <composite.fx.h>
 #include <permgen/manifest.h>
 #include <shadow_map.fx.h>

@@ -1,5 +1,5 @@
-// The headless kit itself: what goes into an image comes out of it, memory is given back, and validation
-// is really listening, synchronization included. A silent listener would make every other test blind.
+// The headless kit itself: images return what was uploaded, memory is freed, and validation reports errors, including
+// synchronization. Without those reports all other tests would miss them.
 #include <gtest/gtest.h>
 #include <headless/buffer.h>
 #include <headless/commands.h>
@@ -27,7 +27,7 @@ bool anyHas(const std::vector<std::string>& messages, std::string_view part) {
                        [&](const std::string& message) { return message.find(part) != std::string::npos; });
 }
 
-/// Sets an environment variable for as long as it lives.
+/// Sets an environment variable during its lifetime.
 class ScopedVariable {
 public:
     ScopedVariable(const char* name, const char* value) : name_(name) {
@@ -62,7 +62,7 @@ class HeadlessReadback : public testing::TestWithParam<FormatCase> {};
 TEST_P(HeadlessReadback, GivesTheTexelsThatWereUploaded) {
     const auto device = lavapipe();
     ASSERT_TRUE(device) << device.error().message;
-    // Odd sides: a row that was padded would show.
+    // Odd sides reveal row padding.
     const ImageInfo info{{13, 7},
                          GetParam().format,
                          VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,

@@ -1,4 +1,4 @@
-// Passes of an effect that the runtime knows nothing about, drawn through its public pipelines.
+// Passes of an unrelated effect, drawn with the runtime's public pipelines.
 #include <headless/buffer.h>
 #include <painting.fx.h>
 #include <tyndall/rendering.h>
@@ -39,7 +39,7 @@ protected:
         return pipelines->push(commands, pipeline, buffers, images);
     }
 
-    /// Draws the passes one after the other into black targets, and returns these.
+    /// Draws the passes one after the other into black targets, and returns the targets.
     std::vector<std::vector<Rgba>> draw(const std::vector<const permgen::Pass*>& passes,
                                         const PassTarget& target = kTarget,
                                         const std::function<void(VkCommandBuffer)>& dynamicState = {}) {
@@ -99,7 +99,7 @@ protected:
     std::optional<PassPipelines> pipelines;
     headless::Image picture = makeImage({1, 1}, kFormat, VK_IMAGE_USAGE_SAMPLED_BIT, "picture");
     headless::Buffer paint = buffer(kPaint, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    // Half size about the origin: 2x2 pixels in the middle of the four by four, but for the triangle's tip.
+    // Half size about the origin: 2x2 pixels in the middle of the four by four, except the triangle's tip.
     headless::Buffer placing = buffer(Rgba{0.5f, 0.5f, 0.0f, 0.0f}, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     headless::Buffer triangle =
         buffer(std::array{glm::vec2(-1, -1), glm::vec2(3, -1), glm::vec2(-1, 3)}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
@@ -164,7 +164,7 @@ TEST_P(PassPipelinesTest, DepthIsComparedAsThePassSaysOrElseAsTheTargetDoes) {
     EXPECT_EQ(draw({&pass("nearer")}, target)[0][5], kPaint) << "but less";
     target.compare = VK_COMPARE_OP_LESS;
     EXPECT_EQ(draw({&pass("plain")}, target)[0][5], kPaint);
-    // What is written hides what comes at the same depth, what is not does not.
+    // A depth write hides later draws at the same depth; without a write they show.
     const Rgba once = kPaint;
     const auto glazed = [&](std::string_view first) {
         return draw({&pass(first), &pass("nearer_glaze")}, target)[0][5];

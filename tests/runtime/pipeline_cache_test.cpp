@@ -1,4 +1,4 @@
-// Sealed pipeline caches: whatever happened to the bytes, either the data come back as they were or a sentence does.
+// Sealed pipeline caches: for any change of the bytes, opening returns either the original data or an error.
 #include <gtest/gtest.h>
 #include <tyndall/pipeline_cache.h>
 
@@ -29,7 +29,7 @@ std::vector<std::byte> bytesOf(std::initializer_list<std::uint32_t> words) {
     return bytes;
 }
 
-/// As a driver hands it out: Vulkan's header and `more` bytes of its own.
+/// A driver's data: Vulkan's header and `more` bytes.
 std::vector<std::byte> dataOf(const VkPhysicalDeviceProperties& device, std::size_t more, std::uint32_t headerSize = 32,
                               std::uint32_t version = 1) {
     std::vector<std::byte> data = bytesOf({headerSize, version, device.vendorID, device.deviceID});
@@ -84,7 +84,7 @@ TEST(PipelineCache, EveryOtherLengthIsRefused) {
     std::vector<std::byte> sealed = sealPipelineCache(dataOf(aDevice(), 40), aDevice());
     expectRefused({}, aDevice());
     for (std::size_t length = 1; length < 8; ++length) {
-        // The name of the format alone: ours, and cut short.
+        // Only the name of the format: a truncated cache.
         EXPECT_TRUE(isSealedPipelineCache(std::span(sealed).first(length)));
         expectRefused(std::span(sealed).first(length), aDevice(), "cut short");
     }
@@ -117,7 +117,7 @@ class PipelineCacheOf : public testing::TestWithParam<Difference> {};
 TEST_P(PipelineCacheOf, IsRefused) {
     VkPhysicalDeviceProperties other = aDevice();
     GetParam().change(other);
-    // All of it the other's, then the seal alone, then the data alone.
+    // Both parts from the other device, then only the seal, then only the data.
     expectRefused(sealPipelineCache(dataOf(other, 40), other), aDevice(), GetParam().says);
     expectRefused(sealPipelineCache(dataOf(aDevice(), 40), other), aDevice(), GetParam().says);
     const auto data = dataOf(other, 40);

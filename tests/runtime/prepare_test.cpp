@@ -1,4 +1,5 @@
-// Renderer::prepare(): recording makes no pipeline any more, each is made once, and nothing leaks where it fails.
+// Renderer::prepare(): recording then makes no pipelines, each pipeline is made once, and nothing leaks after a
+// failure.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -10,7 +11,7 @@
 namespace tyndall::test {
 namespace {
 
-/// Every job on a thread of its own, all at once.
+/// Every job runs on its own thread, all at once.
 void onThreads(std::size_t count, const std::function<void(std::size_t)>& job) {
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&job, i] { job(i); });
@@ -89,7 +90,7 @@ TEST_P(PrepareBy, RecordingMakesNoPipelineAnyMore) {
     const std::vector<Rgba> picture = drawAll();
     EXPECT_EQ(renderer.counters().pipelinesCreated, prepared.pipelinesCreated);
 
-    // And again there is nothing left to do.
+    // A second call has nothing to do.
     must(renderer.prepare(needs(), std::get<Way>(GetParam()).loop));
     EXPECT_EQ(renderer.counters().pipelinesPrepared, prepared.pipelinesPrepared);
 

@@ -1,4 +1,4 @@
-// Wrong arguments and missing features: an error that names them, before anything reaches the device.
+// Wrong arguments and missing features: an error names them, before any call to the device.
 #include <gtest/gtest.h>
 #include <headless/buffer.h>
 
@@ -9,7 +9,7 @@
 namespace tyndall::test {
 namespace {
 
-/// A frame that could be recorded; each test spoils one thing.
+/// A frame that can be recorded; each test breaks one thing.
 struct Frame {
     Stage stage;
     std::vector<Light> lights{lamp()};

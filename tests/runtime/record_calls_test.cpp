@@ -1,7 +1,6 @@
-// What the renderer asks of Vulkan, listened to call by call. lavapipe runs everything in order and the validation
-// layers of Vulkan 1.3.239 do not follow dynamic rendering, so that neither hears a barrier that is missing; and
-// memory allocated once too often does no harm but to the frame's time. A program of its own, because it takes the
-// place of three of Vulkan's functions.
+// The renderer's calls to Vulkan. lavapipe runs everything in order and the validation layers of Vulkan 1.3.239 do not
+// follow dynamic rendering, so neither detects a missing barrier; an unnecessary allocation only costs frame time. This
+// is a separate program, because it replaces three of Vulkan's functions.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -78,8 +77,7 @@ bool holds(Flags all, Flags wanted) {
     return (all & wanted) == wanted;
 }
 
-/// True where a barrier on the image (or on all memory, where that is null) among events[from, to) is at least
-/// `wanted`.
+/// Whether events[from, to) hold a barrier on the image (null: on all memory) that includes `wanted`.
 bool waits(std::size_t from, std::size_t to, const Event& wanted) {
     for (std::size_t i = from; i < to; ++i) {
         const Event& event = events[i];
@@ -109,7 +107,7 @@ TEST_F(RecordCalls, EveryPassWaitsForWhatItReadsOrAddsTo) {
     const ShaftTargets targets = stage.targets();
     events.clear();
     run([&](VkCommandBuffer commands) {
-        events.clear();  // what the caller recorded before is his own
+        events.clear();  // drops the caller's own calls
         return gpu().frozen.record(commands, frame, plan, textures, targets);
     });
 
@@ -122,7 +120,8 @@ TEST_F(RecordCalls, EveryPassWaitsForWhatItReadsOrAddsTo) {
         SCOPED_TRACE("pass " + std::to_string(p));
         const Event& pass = events[passes[p]];
         if (p % 2 == 0) {
-            // Clears what the composite before it may still read, and an earlier frame's slices may still write.
+            // Clears the image that the previous composite may still read, and an earlier frame's slices may still
+            // write.
             EXPECT_EQ(pass.target, targets.accumulationView);
             EXPECT_EQ(pass.load, VK_ATTACHMENT_LOAD_OP_CLEAR);
             EXPECT_TRUE(waits(previous, passes[p],

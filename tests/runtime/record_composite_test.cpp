@@ -123,7 +123,7 @@ TEST_F(RecordComposite, BlurFadesWithTheDistanceBetweenSurfaces) {
 }
 
 TEST_F(RecordComposite, BlurKeepsConstantsAndReachesEveryNeighbour) {
-    // Far from square: the other axis' texel would reach beyond the neighbour.
+    // Far from square: a swapped axis would read beyond the neighbour.
     for (const VkExtent2D extent : {VkExtent2D{36, 12}, VkExtent2D{12, 36}}) {
         Stage stage(extent);
         setAccumulation(stage, [](std::uint32_t x, std::uint32_t y) {

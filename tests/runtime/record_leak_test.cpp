@@ -1,4 +1,4 @@
-// A renderer that drew everything it can draw leaves nothing behind on its device.
+// A renderer that drew everything leaves no objects on its device.
 #include <gtest/gtest.h>
 
 #include <mutex>
@@ -53,7 +53,7 @@ TEST(RecordLeak, NothingIsLeftOnTheDevice) {
                 return renderer.record(commands, frame, shafts, std::span(&none, 1), targets);
             }));
             EXPECT_EQ(renderer.counters().neutralTexturesCreated, 2u);
-            // A renderer that is moved still owns what it made, once.
+            // A moved renderer still owns its objects, once.
             Renderer moved = std::move(renderer);
             EXPECT_GT(moved.counters().pipelinesCreated, 2u);
         }

@@ -1,4 +1,4 @@
-// A Planner and a Renderer that have drawn such frames before allocate nothing on drawing the next.
+// After some similar frames, a Planner and a Renderer draw the next without allocations.
 #include <gtest/gtest.h>
 #include <headless/commands.h>
 

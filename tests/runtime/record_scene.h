@@ -1,4 +1,4 @@
-// Targets, lights and pixels for the tests of record(): a lamp in front of the eye, looking at it askance.
+// Targets, lights and pixels for the tests of record(): a lamp in front of the eye, seen at an angle.
 #pragma once
 
 #include <headless/commands.h>
@@ -36,7 +36,7 @@ inline headless::Image makeImage(VkExtent2D extent, VkFormat format, VkImageUsag
         {extent, format, usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT, name}));
 }
 
-/// What a frame is drawn into: accumulation, depth and a float picture.
+/// The targets of a frame: accumulation, depth and a float picture.
 struct Stage {
     VkExtent2D extent;
     headless::Image accumulation, depth, colour;
@@ -105,7 +105,7 @@ struct Slides {
     LightTextures views() const { return {cookie.view(), noise.view(), shadowMap.view()}; }
 };
 
-/// Stands at (-1, 0.5, -3) and looks along +X and a little away from the eye: lit pixels left and right.
+/// Is at (-1, 0.5, -3) and looks along +X and slightly away from the eye: lit pixels left and right.
 inline Light lamp() {
     const glm::dvec3 z = glm::normalize(glm::dvec3(-1.0, 0.0, 0.2));  // behind the lamp
     const glm::dvec3 y(0.0, 1.0, 0.0);

@@ -1,4 +1,5 @@
-// Shadow maps drawn only when they must be, and from no more than they need: the same maps.
+// Shadow maps that are drawn only when stale, with only the needed occluders, equal those that are always drawn with
+// all.
 #include <gtest/gtest.h>
 #include <headless/buffer.h>
 #include <tyndall/shadow_cache.h>
@@ -72,7 +73,7 @@ TEST_F(RecordShadowCache, OccludersLeftOutLeaveNoMark) {
             glm::scale(glm::rotate(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5) + vector(6.0)),
                                    3.0 * unit(random), vector(1.0)),
                        vector(4.0));
-        // Every third round far from the origin, where the doubles themselves are coarse.
+        // Every third round is far from the origin, where doubles are coarse.
         light.worldFromLight = glm::rotate(glm::translate(glm::dmat4(1.0), round % 3 == 0 ? vector(1e6) : vector(1.0)),
                                            3.0 * unit(random), vector(1.0));
         const Occluder occluder = placed(light.worldFromLight * lightFromMesh);
@@ -106,14 +107,14 @@ TEST_F(RecordShadowCache, EverythingThatIsDrawnTellsCastersApart) {
 }
 
 TEST_F(RecordShadowCache, AMapIsDrawnOncePerMove) {
-    // Two hundred frames: the occluder crosses the light's pyramid from frame 50 on, 1 m a frame; in front of it
-    // stands another that never moves.
+    // Two hundred frames: the occluder crosses the light's pyramid from frame 50 on, 1 m a frame; another one before it
+    // never moves.
     const Occluder standing = placed(glm::translate(glm::dmat4(1.0), {-0.5, -0.5, -3.0}));
     ShadowCache cache;
     const std::uint64_t before = gpu().frozen.counters().shadowMapsDrawn;
     std::vector<float> kept;
     int within = 0;
-    std::uint64_t again = 0;  // drawn to compare, whatever the cache says
+    std::uint64_t again = 0;  // drawn every time, for comparison
     for (int frame = 0; frame < 200; ++frame) {
         const double x = frame < 50 ? -20.0 : std::min(frame - 70.0, 20.0);
         std::vector<Occluder> occluders;

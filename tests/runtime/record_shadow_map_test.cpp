@@ -27,7 +27,7 @@ Light spot(const glm::dmat4& worldFromLight = glm::dmat4(1.0)) {
     return light;
 }
 
-/// A rectangle at `axis` metres, in light space unless worldFromMesh says otherwise.
+/// A rectangle at `axis` metres, in light space unless worldFromMesh is given.
 struct Rectangle {
     headless::Buffer vertices, indices;
     Occluder occluder;
@@ -125,8 +125,7 @@ TEST_F(RecordShadowMap, ReadsInterleavedVerticesAndOffsets) {
 }
 
 TEST_F(RecordShadowMap, FarFromTheOriginNothingIsLost) {
-    // Light and mesh 100 km out, where binary32 world coordinates would be 7.8 mm apart: a depth step here is
-    // worth far less.
+    // Light and mesh 100 km out, where binary32 world coordinates would be 7.8 mm apart; a depth step is much less.
     glm::dmat4 away(1.0);
     away[3] = glm::dvec4(1.0e5, -2.0e5, 1.0e5 + 0.123, 1.0);
     Rectangle wall({-9.0f, -9.0f}, {9.0f, 9.0f}, 2.0f);

@@ -1,4 +1,4 @@
-// Accumulation: every technique and format draws light, binds what is live and nothing else, and adds.
+// Accumulation: every technique and format draws light, binds exactly its live resources, and adds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Plan planFor(std::span<const Light> lights, const Stage& stage, Accumulation acc
     return must(plan(lights, eye(stage), options));
 }
 
-/// What a group's accumulation leaves in a float target.
+/// A group's sum in a float target.
 std::vector<Rgba> accumulated(Stage& stage, const Plan& plan, const std::vector<LightTextures>& textures,
                               const ShaftTargets& targets) {
     FrameData frame;
@@ -125,7 +125,7 @@ TEST_F(Record, StandsInForMissingTexturesOfAForcedTechnique) {
     const Light light = lamp();
     const std::vector<Rgba> plain = accumulated(stage, planFor(std::span(&light, 1), stage), {LightTextures{}});
 
-    // Noise is left out: its neutral texture is white, and the gain then says how bright the air is.
+    // Noise is left out: its neutral texture is white, and the gain alone sets the brightness.
     PlanOptions options;
     options.slices = 16;
     options.range = range;
@@ -158,7 +158,7 @@ TEST_F(Record, MakesAPipelineOnce) {
 }
 
 TEST_F(Record, AddsOneLightToTheOther) {
-    // Each with a place, a colour and a slide of its own.
+    // Each has its own position, colour and slide.
     Stage stage;
     const Slides slides;
     std::array lights{lamp(), lamp()};
@@ -280,7 +280,7 @@ TEST_F(Record, LeavesThePictureAloneWhereThereIsNothingToDraw) {
     must(gpu().frozen.upload(frame, plan));
     run([&](VkCommandBuffer commands) { return gpu().frozen.record(commands, frame, plan, {}, stage.targets()); });
     for (const Rgba& pixel : stage.picture()) EXPECT_EQ(pixel, (Rgba{0.25f, 0.5f, 0.75f, 1.0f}));
-    // Readable in the layout that was promised, or validation speaks up.
+    // Reading it in the documented layout must cause no validation message.
     texels<Rgba>(stage.accumulation, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
 

@@ -1,4 +1,4 @@
-// Direct3D 9's states and sampler states in Vulkan's words, one row for each word.
+// Direct3D 9's states and sampler states as Vulkan's, one row for each value.
 #include "states.h"
 
 #include <gtest/gtest.h>
@@ -161,7 +161,7 @@ bool accepts(const permgen::d3d9::StateRow& row, std::uint32_t bits, ValueKind k
     return passStates(states).has_value();
 }
 
-// permgen promises by the table what is drawn, and warns of the rest.
+// The table defines the supported states; permgen warns of the rest.
 TEST(StateTable, SaysWhatTheRendererDoes) {
     using permgen::d3d9::Support;
     for (const permgen::d3d9::StateRow& row : permgen::d3d9::states) {

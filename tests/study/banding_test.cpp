@@ -1,4 +1,4 @@
-// The longest run of equal values on a gradient: ramps cut into steps of a known length.
+// The longest run of equal values on a gradient, tested with steps of a known length.
 #include <gtest/gtest.h>
 #include <study/metrics.h>
 

@@ -1,5 +1,5 @@
 // The reference against integrals that have a closed form, computed here in long double from planes in world
-// space: nothing is shared with the reference but the formula.
+// space: only the formula is shared with the reference.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ struct Piece {
     bool empty() const { return !(begin < end); }
 };
 
-// Keeps where normal . (p + t d) + offset >= 0.
+// Keeps the part with normal . (p + t d) + offset >= 0.
 Piece cutBy(Piece piece, glm::dvec3 p, glm::dvec3 d, glm::dvec3 normal, Real offset) {
     Real at = offset, slope = 0;
     for (int i = 0; i < 3; ++i) {
@@ -55,7 +55,8 @@ Real scattered(const Light& light, glm::dvec3 p, glm::dvec3 d, Piece piece) {
            (static_cast<Real>(light.intensity) * lamp + static_cast<Real>(light.ambient) * (piece.end - piece.begin));
 }
 
-// Long doubles leave 1e-17 or so here; the reference some 64 half-ulps of double, and its unit vectors one.
+// The error of long doubles is about 1e-17 here; that of the reference is some 64 half-ulps of double, and one for its
+// unit vectors.
 constexpr double tolerance = 1e-12;
 
 void expectNear(double value, Real exact) {
@@ -117,7 +118,7 @@ TEST(ClosedForm, HalfSpaceOccluder) {
     RecordProperty("largest_relative_error", std::to_string(worst * 1e15) + "e-15");
 }
 
-// A closed surface across the whole beam, of 800 triangles that share their corners: behind it is darkness, exactly.
+// A closed surface across the whole beam, of 800 triangles that share their corners: behind it the light is exactly 0.
 TEST(ClosedForm, NoLightFallsThroughTheJointsOfASurface) {
     Light light = plainLight();
     light.shadow = true;
@@ -146,8 +147,8 @@ TEST(ClosedForm, NoLightFallsThroughTheJointsOfASurface) {
     EXPECT_GT(seen, 500);
 }
 
-// Between two panes a slit is lit, ever narrower: its edges are what doubles leave of them, and the bound says how
-// much of so little light that is.
+// Light falls through ever narrower slits between two panes. Doubles limit the precision of the edges, and the bound
+// gives their error as a share of the small amount of light.
 TEST(ClosedForm, TheBoundHoldsForASlit) {
     Light light = plainLight();
     light.shadow = true;
@@ -171,7 +172,7 @@ TEST(ClosedForm, TheBoundHoldsForASlit) {
     }
 }
 
-// Mapped shadows, in a plane through the lamp: u stands still, so the filter's weight is one number.
+// Mapped shadows, in a plane through the lamp: u is constant, so the filter's weight is one number.
 TEST(ClosedForm, ShadowMapFiltersWhatItCompares) {
     Light light = plainLight();
     light.shadow = true;
@@ -217,8 +218,8 @@ TEST(ClosedForm, ConstantTexturesAreFactors) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], plain * light.colour[c] * factor[c], 1e-13 * plain) << c;
 }
 
-// Linear ramps of cookie and noise along v, in even light of ambient alone, with the axis held constant: every
-// mask is a polynomial of the way, and the integral elementary.
+// Linear ramps of cookie and noise along v, in even light of ambient alone, with the axis held constant: every mask is
+// a polynomial along the ray, and the integral is elementary.
 TEST(ClosedForm, BilinearRamps) {
     Light light = plainLight();
     light.intensity = 0.0;
@@ -244,8 +245,8 @@ TEST(ClosedForm, BilinearRamps) {
     EXPECT_NEAR(value.b, base / 12.0, 1e-8 * base);
 }
 
-// One channel stands still while another ramps: a cell is constant only where all channels are. From y = 1 to 0, 2 m
-// before the lamp, green is (1 - y) / 2 and d^2 = 4 + y^2.
+// One channel is constant while another ramps: a cell is constant only if all channels are. From y = 1 to 0, 2 m before
+// the lamp, green is (1 - y) / 2 and d^2 = 4 + y^2.
 TEST(ClosedForm, EachChannelOfACookieCounts) {
     Light light = plainLight();
     light.fov = {1.5707963267948966, 1.5707963267948966};
@@ -292,7 +293,7 @@ TEST(ClosedForm, IsStableNextToTheLight) {
         const double limit = light.density / static_cast<double>(fourPi) * light.intensity * (1.0 / 0.5 - 1.0 / 4.0);
         EXPECT_NEAR(value, limit, limit * (h * h / 0.25 + 1e-12)) << h;
     }
-    // Seen through the lamp, shadows stand where they stood: a disc half way leaves what is before it.
+    // On a ray through the lamp shadows are in the same place: a disc leaves the light before it.
     light.shadow = true;
     for (double h = 1e-2; h > 1e-17; h *= 0.1) {
         study::ReferenceScene scene = oneRay(light, {h, 0.0, 5.0}, {0.0, 0.0, -1.0});

@@ -1,4 +1,4 @@
-// The figures of a comparison: closed forms of tiny pictures, and laws that hold for any.
+// The figures of a comparison: closed forms of tiny pictures, and laws for all pictures.
 #include <gtest/gtest.h>
 #include <study/metrics.h>
 

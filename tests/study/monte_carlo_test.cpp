@@ -1,4 +1,4 @@
-// The reference against an estimator that asks points only: random scenes, both modes.
+// The reference against an estimator that tests points only: random scenes, both modes.
 #include <gtest/gtest.h>
 #include <study/monte_carlo.h>
 
@@ -32,7 +32,7 @@ Score compare(MakeScene make, Mode mode, std::uint64_t firstSeed, int scenes, in
             const glm::dvec3 exact = image->radiance[static_cast<std::size_t>(y) * scene.width + x];
             for (int c = 0; c < 3; ++c) {
                 const double error = estimate->standardError[c];
-                if (error == 0.0) {  // dark, or so thin a sliver of light that no point met it
+                if (error == 0.0) {  // dark, or a sliver of light too thin for the points
                     EXPECT_EQ(estimate->mean[c], 0.0) << i << " " << x;
                     EXPECT_LT(exact[c], 1e-9) << i << " " << x;
                     continue;
@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Reference, MonteCarloTest, testing::Values(Mode::Ideal,
                          [](const auto& mode) { return mode.param == Mode::Ideal ? "Ideal" : "Hardware"; });
 
 // Distances in standard errors of 32 replicates follow Student's t of 31 degrees: 31/29 in the mean square, more
-// than 5 once in fifty thousand. Channels and neighbouring pixels go together, hence the room.
+// than 5 once in fifty thousand. Channels and neighbouring pixels are correlated, so the bounds are wider.
 void expectAgreement(const Score& score) {
     testing::Test::RecordProperty("values", score.values);
     testing::Test::RecordProperty("largest", std::to_string(score.largest));

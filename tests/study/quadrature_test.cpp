@@ -1,4 +1,4 @@
-// The rules and the substitution that the reference is built of.
+// The rules and the substitution of the reference.
 #include "quadrature.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ double momentError(const KronrodNode (&nodes)[N], int degree, bool gauss) {
     return std::abs(sum - 2.0 / (degree + 1.0));
 }
 
-// A rule of degree d integrates every power up to d, and the next even one not: any wrong digit shows.
+// A rule of degree d integrates every power up to d exactly, and fails at the next even one: this reveals any wrong
+// digit.
 template <std::size_t N>
 void expectDegree(const KronrodNode (&nodes)[N], int degree, bool gauss) {
     for (int power = 0; power <= degree; power += 2) EXPECT_LT(momentError(nodes, power, gauss), 1e-15) << power;
@@ -49,7 +50,7 @@ TEST(Quadrature, ConvergesWithTheExpectedOrder) {
 
 TEST(Quadrature, TheErrorItStatesHolds) {
     for (const double accuracy : {1e-3, 1e-6, 1e-10}) {
-        // Kinked, peaked and oscillating, none negative.
+        // Functions with kinks, peaks and oscillations; none is negative.
         const auto f = [](double x) {
             return glm::dvec3(std::abs(x - 0.3), 1.0 / (1e-4 + x * x), 1.0 + std::cos(40.0 * x));
         };
@@ -69,7 +70,7 @@ TEST(Quadrature, GivesUpAtAJumpAndSaysSo) {
     EXPECT_NEAR(q.value.x, 1.0 / 3.0, q.error.x);
 }
 
-// Noise of 1e-9 stands for rounding: 1e-12 is out of reach, and the answer comes all the same, with its error.
+// Noise of 1e-9 simulates rounding: 1e-12 cannot be reached, and the result still comes with its error.
 TEST(Quadrature, GivesUpAtRoundingAndSaysSo) {
     const auto noisy = [](double x) { return glm::dvec3(x * (1.0 + 1e-9 * std::sin(1e9 * x))); };
     const Quadrature q = integrate(noisy, 0.0, 1.0, 1e-12);
@@ -91,8 +92,8 @@ TEST(InverseSquare, MeetsTheClosedForm) {
             }
 }
 
-// Next to the lamp: 1/a - 1/b as the ray runs through it, and no step on the way there. A difference of two arcs
-// of nearly 90 degrees in doubles keeps no digit at all here.
+// Next to the lamp: the limit is 1/a - 1/b if the ray runs through it, and it is approached continuously. A difference
+// of two arcs of nearly 90 degrees loses all digits of a double here.
 TEST(InverseSquare, IsStableNextToTheLight) {
     const double limit = 1.0 / 0.05 - 1.0 / 10.0;
     EXPECT_DOUBLE_EQ(inverseSquareIntegral(0.05, 10.0, 0.0), limit);
@@ -106,7 +107,7 @@ TEST(InverseSquare, IsStableNextToTheLight) {
     }
 }
 
-// In the floats of a shader the plain difference has no digit left where 10 m look back at 10 um.
+// In a shader's floats the plain difference loses all digits at 10 m along the ray and 10 um off the lamp.
 TEST(InverseSquare, ThePlainFormWouldNotDo) {
     const float h = 1e-5f, a = 10.0f, b = 10.5f;
     const float plain = (std::atan(b / h) - std::atan(a / h)) / h;

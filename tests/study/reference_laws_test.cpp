@@ -1,4 +1,4 @@
-// What must hold whatever the scene: halves add up, moving the world moves nothing, finer is closer.
+// Laws for all scenes: halves add up, moving the world changes nothing, finer slices are closer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -104,7 +104,7 @@ TEST_P(LawsTest, AccuracyAskedForIsAccuracyAchieved) {
         std::uint64_t before = ~std::uint64_t{0};
         for (const double accuracy : {1e-10, 1e-6, 1e-3}) {
             const ReferenceImage image = render(scene, accuracy);
-            // Slivers of light are worth as little as the doubles that place their edges, and say so; they are few.
+            // Slivers of light are only as accurate as their edges in doubles; their bounds say so, and they are few.
             const auto reached = std::count_if(image.bound.begin(), image.bound.end(),
                                                [&](double bound) { return bound <= accuracy + 1e-12; });
             EXPECT_GE(10 * reached, 9 * static_cast<std::ptrdiff_t>(image.bound.size()));
@@ -128,8 +128,8 @@ TEST_P(LawsTest, ThreadsDoNotShow) {
     EXPECT_EQ(one.evaluations, many.evaluations);
 }
 
-// Slices at the middles of N slabs are the renderer's rule. Where masks are smooth their error falls with the
-// square of N; where a shadow's edge cuts the ray, with N.
+// Slices at the middles of N slabs are the renderer's rule. With smooth masks their error falls with the square of N;
+// with a shadow's edge on the ray, with N.
 double sliced(const ReferenceScene& scene, int slices) {
     // One slab of light between two planes across the ray, shrunk around its middle, times the slab's length.
     double sum = 0.0;
@@ -166,7 +166,7 @@ TEST(Convergence, MidpointSlicesCloseInWithTheOrderOfTheory) {
     for (int n = 64; n < 72; ++n) worst64 = std::max(worst64, n * std::abs(sliced(scene, n) - hard));
     EXPECT_GT(hard, 0.1 * smooth);
     EXPECT_LT(hard, 0.9 * smooth);
-    EXPECT_NEAR(std::log2(worst16 / worst64), 0.0, 1.0);  // N times the error stays what it is
+    EXPECT_NEAR(std::log2(worst16 / worst64), 0.0, 1.0);  // N times the error is constant
 }
 
 TEST(Reference, StopsWhenAsked) {

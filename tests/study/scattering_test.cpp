@@ -1,5 +1,4 @@
-// The reference where air has a direction and takes light away: closed forms in long double, and the laws of phase
-// function and transmittance.
+// The reference in air with a phase function and extinction: closed forms in long double, and laws of both factors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +49,7 @@ Chord chordOf(const Light& light, glm::dvec3 p, glm::dvec3 d) {
     return chord;
 }
 
-/// Rays from around plainLight(), each meant to cross its volume.
+/// Rays from points around plainLight(), directed at its volume.
 struct Line {
     glm::dvec3 position, direction;
 };
@@ -73,8 +72,8 @@ Real absorbed(Real e, Real h, Real a, Real b) {
     return above(a) - above(b);
 }
 
-// Ambient light alone, in air that absorbs. With c = d + s, the way from the lamp by the particle to the foot,
-// s = (c^2 - h^2) / (2 c) and ds = (1 + h^2 / c^2) / 2 dc.
+// Ambient light alone, in air that absorbs. With c = d + s, the path from the lamp via the particle to the foot, s =
+// (c^2 - h^2) / (2 c) and ds = (1 + h^2 / c^2) / 2 dc.
 TEST(ScatteringClosedForm, AmbientInAirThatAbsorbs) {
     Random random(5);
     int lit = 0;
@@ -95,7 +94,7 @@ TEST(ScatteringClosedForm, AmbientInAirThatAbsorbs) {
         const auto way = [&](Real s) { return std::hypot(chord.h, s) + s; };
         const Real sum = absorbed(e, chord.h, way(chord.begin), way(chord.end));
         const double exact = static_cast<double>(scale(light) * 2 * std::exp(-e * chord.toFoot) * sum);
-        // The closed form is a difference; both reach 1e-12 of what it is a difference of.
+        // The closed form is a difference; both values are accurate to 1e-12 of its terms.
         const Real a = way(chord.begin);
         const Real size = scale(light) * 2 * std::exp(-e * (chord.toFoot + a)) * (1 / e + chord.h * chord.h / a);
         EXPECT_NEAR(value, exact, 1e-12 * static_cast<double>(size) + 1e-11 * exact) << i;
@@ -104,8 +103,8 @@ TEST(ScatteringClosedForm, AmbientInAirThatAbsorbs) {
     EXPECT_GT(lit, 200);
 }
 
-// Looking straight at the lamp, every particle between has the same way: the factor is exp(-e D). Away from the lamp
-// the way grows by two metres a metre.
+// Looking straight at the lamp, the path is the same for every particle in between: the factor is exp(-e D). Away from
+// the lamp the path grows by two metres per metre.
 TEST(ScatteringClosedForm, TowardsTheLampAndAwayFromIt) {
     Light light = plainLight();
     light.density = 0.4;
@@ -148,7 +147,7 @@ TEST(ScatteringClosedForm, InverseSquareLightAndThePhaseFunction) {
         const Chord chord = chordOf(light, line.position, line.direction);
         const double value = radianceOf(oneRay(light, line.position, line.direction), 1e-12).x;
         if (chord.empty()) continue;
-        // Backward scattering is forward scattering of the ray gone the other way.
+        // Backward scattering is forward scattering along the reversed ray.
         const Real begin = light.anisotropy < 0.0 ? -chord.end : chord.begin;
         const Real end = light.anisotropy < 0.0 ? -chord.begin : chord.end;
         const Real g = std::abs(static_cast<Real>(light.anisotropy));
@@ -164,7 +163,7 @@ TEST(ScatteringClosedForm, InverseSquareLightAndThePhaseFunction) {
     EXPECT_GT(lit, 300);
 }
 
-// A g that is not 0 but does nothing takes the way without closed forms.
+// A g close to 0 without effect uses the code without closed forms.
 TEST(Scattering, TheIntegratedWayFindsWhatTheClosedFormSays) {
     for (std::uint64_t seed = 0; seed < 6; ++seed)
         for (const Mode mode : {Mode::Ideal, Mode::Hardware}) {
@@ -179,7 +178,7 @@ TEST(Scattering, TheIntegratedWayFindsWhatTheClosedFormSays) {
         }
 }
 
-/// What one particle sends where light turns by the angle of this cosine, relative to even scattering.
+/// Light that one particle sends when light turns by the angle of this cosine, relative to even scattering.
 double phaseSeen(double g, double cosine) {
     const double thin = 1e-6;
     const glm::dvec3 place(0.0, 0.0, -2.0);
@@ -187,7 +186,7 @@ double phaseSeen(double g, double cosine) {
     Light light = plainLight();
     for (const double side : {1.0, -1.0})
         light.clipPlanes.push_back(glm::dvec4(side * toEye, -side * glm::dot(toEye, place) + thin));
-    // Off the lamp by a hair: a ray through it has no foot.
+    // Slightly off the lamp: a ray through it has no foot.
     const glm::dvec3 eye = place + 1.5 * toEye + glm::dvec3(0.0, 1e-9, 0.0);
     const double even = radianceOf(oneRay(light, eye, -toEye)).x;
     light.anisotropy = g;
@@ -199,7 +198,7 @@ TEST(Scattering, AllThatAParticleSendsIsAllThatItGets) {
         const auto share = [&](double cosine) { return glm::dvec3(0.5 * phaseSeen(g, cosine)); };
         const study::Quadrature sphere = study::integrate(share, -1.0, 1.0, 1e-7);
         EXPECT_NEAR(sphere.value.x, 1.0, 1e-6) << g;
-        // Its mean cosine is g: that is what g is.
+        // Its mean cosine is g, by definition.
         const auto moment = [&](double cosine) { return glm::dvec3(0.5 * (1.0 + cosine) * phaseSeen(g, cosine)); };
         EXPECT_NEAR(study::integrate(moment, -1.0, 1.0, 1e-7).value.x, 1.0 + g, 1e-6) << g;
     }
@@ -211,7 +210,7 @@ TEST(Scattering, IsBrightTowardsTheLampWhereGIsPositive) {
     EXPECT_NEAR(phaseSeen(-0.5, 1.0), 0.5 / (1.5 * 1.5), 1e-5);
 }
 
-// Gone along the other way round, light turns by the other angle: that is g of the other sign.
+// On the reversed ray light turns by the supplementary angle, like a g of the other sign.
 TEST(Scattering, TheOppositeRaySeesTheOppositeG) {
     Random random(8);
     int lit = 0;
@@ -258,7 +257,7 @@ TEST(Scattering, StrongerExtinctionIsNeverBrighter) {
     EXPECT_GT(darker, 1000);
 }
 
-// Peaks as narrow as 1e-9 and air so thick that a millimetre is dark: what is reached is what the bound says.
+// Peaks as narrow as 1e-9, and air so thick that a millimetre is dark: the bound holds.
 TEST(Scattering, TheBoundHoldsForNarrowPeaksAndThickAir) {
     int lit = 0;
     for (std::uint64_t seed = 300; seed < 306; ++seed)
@@ -281,7 +280,7 @@ TEST(Scattering, TheBoundHoldsForNarrowPeaksAndThickAir) {
                                     (image->bound[i] + best->bound[i]) * best->radiance[i][c]);
                         lit += best->radiance[i][c] > 0.0;
                     }
-                // The peak's place is a direction, of which doubles leave 1e-14 or so.
+                // The peak is at a direction, which doubles resolve to about 1e-14.
                 EXPECT_LT(image->largestBound, 1e-5 + 1e-11 / narrow);
             }
     EXPECT_GT(lit, 1000);

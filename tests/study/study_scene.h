@@ -1,4 +1,4 @@
-// Set-ups for the reference's own proof.
+// Set-ups for the reference's tests.
 #pragma once
 
 #include <study/reference.h>
@@ -42,8 +42,8 @@ glm::dvec3 direction(Random& random);
 /// Up to three lights with random terms, random panes between them, an eye somewhere near, 9 x 7 pixels.
 study::ReferenceScene randomScene(std::uint64_t seed, study::Mode mode);
 
-/// The same in thicker air, of g up to 0.95 either way and, in two lights of three, an albedo; rays of every third
-/// scene are parallel.
+/// The same in thicker air, with g from -0.95 to 0.95 and, for two lights of three, an albedo; every third scene has
+/// parallel rays.
 study::ReferenceScene scatteringScene(std::uint64_t seed, study::Mode mode);
 
 }  // namespace tyndall::test

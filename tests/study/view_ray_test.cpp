@@ -1,5 +1,5 @@
-// Where a pixel's ray begins, where it points and where it ends: what the reference and its Monte Carlo check
-// share, so that their agreement proves nothing about it.
+// The begin, direction and end of a pixel's ray. The reference and its Monte Carlo check share this code, so their
+// agreement does not test it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -84,7 +84,7 @@ TEST(Surfaces, EndRaysWhereTheyCanBeSeen) {
     EXPECT_EQ(hit({at(5.0, true, true)}), none);  // behind the eye
 }
 
-// Even light of a wide pyramid and ambient alone: radiance is the length of the ray that is seen.
+// Even light, a wide pyramid and ambient alone: radiance is the visible length of the ray.
 TEST(Reference, RaysEndAtNearPlaneFarPlaneAndSurface) {
     Light light = plainLight();
     light.intensity = 0.0;

@@ -1,4 +1,4 @@
-// Draws a shot with the runtime, the way a program would.
+// Draws a shot with the runtime, like a program.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -19,7 +19,7 @@ struct DrawOptions {
     Accumulation accumulation = Accumulation::Rgba32f;
     double range = 1.0;                         ///< PlanOptions::range
     std::optional<TermSet> terms;               ///< PlanOptions::terms
-    std::optional<std::string_view> drawnWith;  ///< takes the planned technique's place: any of the effect's
+    std::optional<std::string_view> drawnWith;  ///< replaces the planned technique: any of the effect's
     Shaders shaders = Shaders::Frozen;          ///< DeviceContext::shaders
     bool composite = false;                     ///< into a picture of kBackground
     bool blur = false;                          ///< when compositing
@@ -31,17 +31,17 @@ inline constexpr std::array<float, 4> kBackground{0.125f, 0.25f, 0.5f, 1.0f};
 struct Drawing {
     Plan plan;
     Picture sum;                ///< the accumulation target, as stored
-    Picture picture;            ///< what it was composited into
+    Picture picture;            ///< the picture after compositing
     RendererCounters counters;  ///< of this drawing alone; pipelines may have been made before
 };
 
-/// What was counted in between.
+/// The difference of two counters.
 RendererCounters difference(const RendererCounters& after, const RendererCounters& before);
 
 View viewOf(const Shot& shot);
 PlanOptions planOptionsOf(const Shot& shot, const DrawOptions& options);
 
-/// Plans, uploads what the technique calls for and nothing else, accumulates, reads back.
+/// Plans, uploads only what the technique needs, accumulates, reads back.
 Drawing draw(const Shot& shot, const DrawOptions& options = {});
 
 }  // namespace tyndall::test

@@ -11,7 +11,7 @@ namespace {
 
 std::unique_ptr<Gpu> theGpu;
 
-// Vulkan objects must be gone before static destructors unload what they belong to.
+// Vulkan objects must be destroyed before static destructors unload their libraries.
 class GpuEnvironment : public testing::Environment {
 public:
     void TearDown() override { theGpu.reset(); }

@@ -1,5 +1,5 @@
-// The device that every picture of the tests is drawn on: Mesa's lavapipe with validation and
-// synchronization validation, and the Renderers on it.
+// The device that the tests draw on: Mesa's lavapipe with validation and synchronization validation, and the Renderers
+// on it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 
 namespace tyndall::test {
 
-/// An effect whose every technique draws what one of its techniques does.
+/// An effect with one technique in place of all techniques.
 struct StandIn {
     std::vector<permgen::Technique> techniques;
     permgen::Effect effect;
@@ -28,12 +28,12 @@ struct StandIn {
 
 struct Gpu {
     headless::Device device;
-    Renderer frozen;  // after the device, so that they go first
+    Renderer frozen;  // after the device, so that they are destroyed first
     Renderer specialized;
     std::map<std::pair<std::string, Shaders>, std::unique_ptr<StandIn>> standIns;
 
-    /// A Renderer that draws everything with the technique of that name, for those that plan() does not know: an
-    /// effect may declare more than the terms have.
+    /// A Renderer that draws everything with the technique of that name. It is for techniques that plan() does not
+    /// know: an effect may declare more than the terms need.
     Renderer& rendererFor(std::string_view technique, Shaders shaders);
 };
 
@@ -59,7 +59,7 @@ T must(Result<T> result) {
 headless::Image uploadTexture(const Texture& texture, bool depth = false,
                               VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 
-/// The texels of a D32 image in that layout, as really stored.
+/// The texels of a D32 image in that layout, as stored.
 Texture downloadDepth(const headless::Image& image, VkImageLayout layout);
 
 }  // namespace tyndall::test

@@ -1,7 +1,7 @@
-// Interval arithmetic over what a shader may compute in binary32: every operation gives the exact result of
-// its operands' bounds, widened by the rounding that Vulkan's precision table ("Precision and Operation of
-// SPIR-V Instructions") allows that operation. A value evaluated in it contains every result that a
-// conforming implementation may produce, contracted to fused multiply-adds or not.
+// Interval arithmetic over a shader's possible results in binary32: every operation gives the exact result of its
+// operands' bounds, widened by the rounding that Vulkan's precision table ("Precision and Operation of SPIR-V
+// Instructions") allows that operation. A value evaluated in it contains every result that a conforming implementation
+// may produce, contracted to fused multiply-adds or not.
 #pragma once
 
 #include <algorithm>
@@ -47,13 +47,13 @@ inline Interval operator*(Interval a, Interval b) {
     return rounded({lo, hi});
 }
 
-/// `b` must not contain 0. OpFDiv may be 2.5 ulp off, five half-ulps.
+/// `b` must not contain 0. The error of OpFDiv may be 2.5 ulp, five half-ulps.
 inline Interval operator/(Interval a, Interval b) {
     const auto [lo, hi] = std::minmax({a.lo / b.lo, a.lo / b.hi, a.hi / b.lo, a.hi / b.hi});
     return rounded({lo, hi}, 5.0);
 }
 
-/// x*x, which knows that both factors are the same.
+/// x*x, with the knowledge that both factors are equal.
 inline Interval square(Interval a) {
     const auto [small, large] = std::minmax({std::abs(a.lo), std::abs(a.hi)});
     return rounded({a.lo <= 0.0 && a.hi >= 0.0 ? 0.0 : small * small, large * large});

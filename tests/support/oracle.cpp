@@ -7,12 +7,12 @@ namespace tyndall::test {
 namespace {
 
 void add(Interval& sum, Interval value, Seen seen) {
-    // A doubtful fragment adds anything between nothing and itself; no contribution is negative.
+    // An undecided fragment adds anything from 0 to its value; all contributions are 0 or more.
     sum.hi += std::max(value.hi, 0.0);
     if (seen == Seen::Yes) sum.lo += std::max(value.lo, 0.0);
 }
 
-// Adding up in binary32 loses half an ulp of the total so far at every step.
+// Each addition in binary32 loses half an ulp of the current total.
 void widenByAdding(PixelSum& pixel, const std::array<std::array<double, 4>, 4>& quarterTotals) {
     for (int c = 0; c < 4; ++c) {
         pixel.rgba[c].lo -= kFloatEps * pixel.runningTotals[c];

@@ -1,7 +1,6 @@
-// The independent reference for one permutation: what every slice adds to every pixel, from the formula at
-// the head of shaders/slices.fx and the conventions of its comments, in double precision and without a
-// line of the runtime's. Each answer is an interval that every correct rendering in binary32 lies in; see
-// oracle_fragment.cpp for how wide it is, and why.
+// The independent reference for one permutation: the contribution of every slice to every pixel, from the formula and
+// the conventions in the comments of shaders/slices.fx, in double precision and without code of the runtime. Each
+// result is an interval that holds every correct rendering in binary32; oracle_fragment.cpp derives its width.
 #pragma once
 
 #include <tyndall/light.h>
@@ -15,7 +14,7 @@
 
 namespace tyndall::test {
 
-/// A camera in the oracle's own words. Depth is reversed: 1 at nearPlane, 0 at farPlane.
+/// The oracle's camera. Depth is reversed: 1 at nearPlane, 0 at farPlane.
 struct Eye {
     glm::dmat4 worldFromView{1.0};
     double verticalFov = 0.9;  ///< radians; unused when orthographic
@@ -26,7 +25,7 @@ struct Eye {
 
 /// Everything that one light's picture depends on.
 struct Shot {
-    Light light;  ///< `cookie`, `shadow`, `noise`, `anisotropy` and `albedo` say which terms there are
+    Light light;  ///< `cookie`, `shadow`, `noise`, `anisotropy` and `albedo` decide the terms
     Eye eye;
     int width = 128, height = 128;
     int slices = 16;
@@ -35,14 +34,14 @@ struct Shot {
     double time = 0.0;
     double farthestSurface = 1e300;  ///< View::sceneDepth
     double shadowBias = 0.0;
-    bool quads = false;            ///< cut out of quads around the volume, rather than drawn as polygons
+    bool quads = false;            ///< cut from quads around the volume instead of drawn as polygons
     double triangleStretch = 2.5;  ///< X L / area2 of the triangles drawn, see attributeErrorOf()
     Texture cookieMap, noiseMap;
     Texture shadowMap;   ///< one channel, stored depth
-    Texture sceneDepth;  ///< one channel, stored depth, width x height; empty: nothing in the way
+    Texture sceneDepth;  ///< one channel, stored depth, width x height; empty: no surface
 };
 
-/// What the slices add up to at one pixel, in radiance (not scaled to a target's range).
+/// The sum of the slices at one pixel, in radiance (not scaled to a target's range).
 struct PixelSum {
     std::array<Interval, 4> rgba{};                    ///< all slices; alpha is the grey value
     std::array<std::array<Interval, 4>, 4> quarter{};  ///< [i mod 4], slice 0 the farthest
@@ -61,7 +60,7 @@ struct OracleImage {
 
 OracleImage oracle(const Shot& shot);
 
-/// The direction of world space's ray, for one metre of depth, and the point it starts from.
+/// A view ray: its direction for one metre of depth, and its origin.
 struct Ray {
     glm::dvec3 origin, perMetre;  ///< view space; point at depth z: origin + z * perMetre
 };

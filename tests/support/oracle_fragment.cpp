@@ -6,7 +6,7 @@
 namespace tyndall::test {
 namespace {
 
-// How far an interpolated light-space position may be off, in metres, with e = 2^-24.
+// Maximum error of an interpolated light-space position, in metres, with e = 2^-24.
 //   Vertex shader: position, matrix entry, product and three sums, 6 e of the farthest vertex's distance from
 //   the eye plus the lamp's; stretching a quad's vertex over the bounds, 4 e more. Times 1 / w and w: 4 e.
 //   Rasterizer: a plane equation a0 + dadx x + dady y with dadx = (da1 dy2 - da2 dy1) / area2, the way
@@ -19,13 +19,13 @@ double attributeErrorOf(const Shot& shot, double vertexDistance, double largestC
 }
 
 // A vertex is snapped to 1/256 of a pixel (subPixelPrecisionBits 8), by 1/512 at most on either axis; its
-// window coordinate before that is off by at most another 1/512 as long as it is below 2^24 / (512 * 4) pixels,
-// four roundings. An edge moves no farther than its ends.
+// window coordinate before that has an error of at most another 1/512 if it is below 2^24 / (512 * 4) pixels, from four
+// roundings. An edge moves at most as far as its ends.
 constexpr double kEdgePixels = 1.0 / 512.0 + 1.0 / 512.0;
 
 const Interval kOne = {1.0, 1.0};
 
-// A sum or a product that the author wrote with constants, which reach the shader rounded to binary32.
+// A sum or a product with constants, which the shader gets rounded to binary32.
 Interval constant(double x) {
     return rounded(exactly(x));
 }
@@ -81,8 +81,8 @@ Interval dust(const FragmentContext& context, const LightPoint& point) {
     return constant(gain) * drift(context, point, 0) * drift(context, point, 1);
 }
 
-// A texel lets the light through where what it holds is no nearer to the lamp than the air. Where rounding can
-// turn the comparison either way, the darker answer takes it as blocked and the brighter one as open.
+// A texel lets the light through if its surface is as far from the lamp as the air, or farther. If rounding can change
+// the comparison, the lower bound takes it as blocked and the upper bound as open.
 Interval lightThrough(const FragmentContext& context, const LightPoint& point) {
     const Shot& shot = context.shot;
     const double n = shot.light.nearPlane, f = shot.light.farPlane;
@@ -110,7 +110,7 @@ Interval lightThrough(const FragmentContext& context, const LightPoint& point) {
 }
 
 Interval attenuation(const Shot& shot, const LightPoint& point) {
-    // The published constants count in inches; 1 inch is 0.0254 m exactly.
+    // The published constants use inches; 1 inch is 0.0254 m exactly.
     const Interval units = constant(shot.article ? 1.0 / 0.0254 : 1.0);
     const Interval dd = square(point.x * units) + square(point.y * units) + square(point.z * units);
     return constant(shot.article ? 20000.0 : shot.light.intensity) / dd +
@@ -121,9 +121,9 @@ bool scatters(const Light& light) {
     return light.anisotropy != 0.0 || light.albedo.has_value();
 }
 
-// What a particle sends to the eye of what it would send if it scattered evenly in clear air. The exact value comes
-// from the law of cosines in the triangle of lamp, particle and eye, and the interval from what the shader's own way
-// to it, by unit vectors, may lose of each step; e = 2^-24.
+// Light that a particle sends to the eye, relative to even scattering in clear air. The exact value comes from the law
+// of cosines in the triangle of lamp, particle and eye. The interval comes from the rounding of each step of the
+// shader's computation with unit vectors; e = 2^-24.
 Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
     const Shot& shot = context.shot;
     const double g = shot.article ? 0.0 : shot.light.anisotropy;
@@ -131,8 +131,8 @@ Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
     const glm::dvec3 lamp(glm::inverse(context.lightFromView)[3]);
     const double fromLamp = glm::distance(viewPoint, lamp), lampToEye = glm::length(lamp);
     const double toEye = shot.eye.orthographic ? -viewPoint.z : glm::length(viewPoint);
-    // 1 - cos and 1 + cos of the angle by which light turns. Parallel rays meet the eye's axis, and the lamp's light
-    // goes back along it as far as its view depth is ahead of the particle's.
+    // 1 - cos and 1 + cos of the angle by which light turns. With parallel rays the direction to the eye is the view
+    // axis, and the path along it is the difference of view depths.
     double minus, plus;
     if (shot.eye.orthographic) {
         const double back = viewPoint.z - lamp.z;
@@ -145,9 +145,9 @@ Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
     }
     const double turned = std::clamp(g < 0.0 ? plus : minus, 0.0, 2.0);
 
-    // The interpolated position is off by the attribute's error; the difference from the eye by that, the eye's own
-    // rounding and its own. A unit vector adds a dot product (4 e, halved by the root), the root (4 e) and a product;
-    // their difference e of up to 2.
+    // The interpolated position has the attribute's error; the difference from the eye has that, the eye's rounding and
+    // its own. A unit vector adds a dot product (4 e, halved by the root), the root (4 e) and a product; their
+    // difference e of up to 2.
     const double e = kFloatEps, error = context.attributeError * std::sqrt(3.0);
     const double eyeError = shot.eye.orthographic ? 0.0 : error + 2.0 * e * (lampToEye + fromLamp);
     const double chord = std::sqrt(2.0 * turned);
@@ -159,13 +159,13 @@ Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
     const Interval base = rounded({baseAt(std::max(0.0, chord - chordError)), baseAt(chord + chordError)}, 8.0);
     const Interval phase = constant(narrow) / base * (rounded(exactly(1.0 + strength), 2.0) / squareRoot(base));
 
-    // Parallel rays: a dot product and a difference of lengths as long as the lamp's depth and its way.
+    // Parallel rays: a dot product, and a difference of lengths up to the lamp's depth and its path.
     const double wayError =
         error + 8.0 * e * fromLamp +
         (shot.eye.orthographic ? error + 8.0 * e * (std::abs(lamp.z) + fromLamp) : eyeError + 8.0 * e * toEye);
     const Interval way = rounded(around(fromLamp + toEye, wayError));
     const Interval argument = constant(extinction) * way;
-    // exp may be off by 3 + 2 |x| ulp (Vulkan, "Precision and Operation of SPIR-V Instructions").
+    // the error of exp is up to 3 + 2 |x| ulp (Vulkan, "Precision and Operation of SPIR-V Instructions").
     const Interval left =
         rounded({std::exp(-argument.hi), std::exp(-std::max(argument.lo, 0.0))}, 6.0 + 4.0 * argument.hi);
     return phase * left;
@@ -175,7 +175,7 @@ Interval scattered(const FragmentContext& context, glm::dvec3 viewPoint) {
 Interval slabLength(const FragmentContext& context, glm::dvec3 perMetre, double depth) {
     const Shot& shot = context.shot;
     if (shot.article) return constant(9.0 / (shot.slices / 100.0));
-    // Both ends of the extent come as binary32, and 4 e for the attribute itself.
+    // Both ends of the extent are binary32, and the attribute itself adds 4 e.
     const double thickness = context.slabThickness;
     const double endError = 2.0 * kFloatEps * (depth + thickness * shot.slices);
     const Interval length = rounded(around(thickness, endError / shot.slices), 4.0);
@@ -191,7 +191,7 @@ Interval slabLength(const FragmentContext& context, glm::dvec3 perMetre, double 
 FragmentContext fragmentContext(const Shot& shot, const std::vector<HalfSpace>& volume,
                                 const std::vector<glm::dvec3>& corners, double slabThickness) {
     const glm::dmat4 lightFromView = glm::inverse(shot.light.worldFromLight) * shot.eye.worldFromView;
-    // A quad is cut out of the box around the volume, whose corners lie farther than the volume's own.
+    // A quad is cut from the box around the volume; the box's corners are farther away than the volume's.
     glm::dvec3 reach(0.0);
     double farthest = 0.0, largestCoordinate = 0.0;
     for (const glm::dvec3& p : corners) {
@@ -283,7 +283,7 @@ std::array<Interval, 4> radiance(const FragmentContext& context, int x, int y, d
     if (shot.light.shadow) intensity = intensity * lightThrough(context, point);
 
     const double scatter = shot.article ? 1.0 : shot.light.density / (4.0 * std::numbers::pi);
-    // One grey value stands for the light at its brightest channel; its tint brings the others down again.
+    // One grey value represents the light's brightest channel; the tint scales the others down again.
     const glm::dvec3 own = shot.light.colour;
     const glm::dvec3 lamp = shot.routed ? glm::dvec3(std::max({own.r, own.g, own.b})) : own;
     std::array<Interval, 4> out{};
@@ -292,7 +292,7 @@ std::array<Interval, 4> radiance(const FragmentContext& context, int x, int y, d
         if (shot.light.cookie) colour = colour * sampleLinear(shot.cookieMap, c, Address::Clamp, point.u, point.v);
         out[c] = rounded(colour * intensity, 8.0);  // scale, mask and their interpolation
     }
-    // Rec. 709 luminance, as linear light weighs it.
+    // Rec. 709 luminance of linear light.
     out[3] = out[0] * constant(0.2126) + out[1] * constant(0.7152) + out[2] * constant(0.0722);
     return out;
 }

@@ -22,7 +22,7 @@ Interval maskOf(const Masks& masks, Term term, int channel) {
     throw std::logic_error("no such term");
 }
 
-/// A shadow's edge may be lit or not; what is left of a picture there divides into nothing definite.
+/// A shadow's edge may be lit or not, so quotients of pictures are undefined there.
 bool wellKnown(const std::array<Interval, 4>& rest) {
     for (int c = 0; c < 3; ++c)
         if (!(rest[c].lo > 0.0 && rest[c].hi < 1.01 * rest[c].lo)) return false;
@@ -63,7 +63,7 @@ std::vector<std::optional<std::array<Interval, 3>>> projectedMask(const Shot& sh
             quotients.back().emplace();
             for (int c = 0; c < 3; ++c) {
                 const Interval mask = maskOf(here, term, c);
-                // The mask's way into the product is two multiplications at most.
+                // At most two multiplications bring the mask into the product.
                 (*quotients.back())[c] =
                     rounded({mask.lo * (rest[c].lo / rest[c].hi), mask.hi * (rest[c].hi / rest[c].lo)}, 2.0);
             }

@@ -15,7 +15,7 @@ HalfSpace through(glm::dvec3 point, glm::dvec3 inward) {
 }  // namespace
 
 std::vector<HalfSpace> lightVolume(const Light& light, const glm::dmat4& spaceFromWorld) {
-    // World positions may be large: subtract them before they meet a normal.
+    // World positions may be large: subtract them before the product with a normal.
     const glm::dmat4 frame = spaceFromWorld * light.worldFromLight;
     const glm::dvec3 right(frame[0]), up(frame[1]), back(frame[2]), lamp(frame[3]);
     const glm::dvec3 ahead = -back;

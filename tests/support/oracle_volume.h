@@ -1,4 +1,4 @@
-// A light's volume as the oracle sees it: half spaces, with geometry by brute force.
+// The oracle's light volume: half spaces, with geometry by brute force.
 #pragma once
 
 #include <tyndall/light.h>
@@ -19,7 +19,7 @@ struct HalfSpace {
 /// The light's six faces and its extra clip planes, in the space that `spaceFromWorld` (rigid) leads to.
 std::vector<HalfSpace> lightVolume(const Light& light, const glm::dmat4& spaceFromWorld);
 
-/// Corners of the intersection: every three planes meet in a point; those that no plane cuts off stay.
+/// Corners of the intersection: every three planes meet in a point; the result is the points inside all planes.
 std::vector<glm::dvec3> corners(const std::vector<HalfSpace>& volume);
 
 struct Range {

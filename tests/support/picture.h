@@ -1,4 +1,4 @@
-// A picture read back from the GPU, and what the tests demand of it.
+// A picture read back from the GPU, and checks of it.
 #pragma once
 
 #include <array>
@@ -16,19 +16,19 @@ struct Picture {
     const std::array<float, 4>& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// Why not every channel of every pixel is finite; empty where it is.
+/// The first channel that is not finite, as a message; empty if all are finite.
 std::string whyNotFinite(const Picture& picture);
 
-/// Pixels of `picture` divided by `scale` that lie outside what `allowed` gives for their place, described with
-/// the first few; empty where there is none. Finiteness is checked first. Channels from 0 to 3.
+/// A message about the pixels of `picture` divided by `scale` that lie outside their interval in `allowed`, with the
+/// first few; empty if there are none. Finiteness is checked first. Channels from 0 to 3.
 using Allowed = std::array<Interval, 4>;
 std::string whyOutside(const Picture& picture, double scale, const std::vector<Allowed>& allowed);
 
-/// What the oracle allows, pixel by pixel.
+/// The oracle's intervals, pixel by pixel.
 std::vector<Allowed> allowedBy(const OracleImage& image);
 
-/// How sharp the oracle is for this picture: the sum of its intervals' widths over the sum of their middles.
-/// A wide oracle proves nothing.
+/// The oracle's relative width for this picture: the sum of its intervals' widths over the sum of their middles. A wide
+/// oracle proves nothing.
 double vagueness(const std::vector<Allowed>& allowed);
 
 /// The number of pixels with any light in them.

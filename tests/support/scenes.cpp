@@ -5,7 +5,7 @@
 namespace tyndall::test {
 namespace {
 
-// The same on every machine: a multiplicative hash of the texel's place (D. Knuth, TAOCP 3, 6.4).
+// The same on every machine: a multiplicative hash of the texel's position (D. Knuth, TAOCP 3, 6.4).
 double speckle(int x, int y, int c) {
     std::uint32_t h = static_cast<std::uint32_t>(x * 73 + y * 9176 + c * 131071 + 1) * 2654435761u;
     h ^= h >> 15;

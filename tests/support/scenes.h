@@ -1,5 +1,5 @@
-// Set-ups that the permutations are drawn in: one lamp with everything a technique may call for, seen from
-// where it is easy, and from where it is hard.
+// Set-ups for drawing the permutations: one lamp with everything that a technique may need, seen from easy and hard
+// viewpoints.
 #pragma once
 
 #include <tyndall/terms.h>
@@ -32,7 +32,7 @@ Shot withTerms(Shot shot, TermSet terms);
 /// The same scene under a rigid motion of the world.
 Shot moved(Shot shot, const glm::dmat4& motion);
 
-/// Stored scene depth of the plane through `point` with `normal` (world space), 0 where a ray misses it.
+/// Stored scene depth of the plane through `point` with `normal` (world space), 0 if a ray misses it.
 Texture planeDepth(const Shot& shot, glm::dvec3 point, glm::dvec3 normal);
 
 }  // namespace tyndall::test

@@ -1,4 +1,4 @@
-// Textures as the tests know them: texels in binary32, row by row from the top, and their own sampling.
+// The tests' textures: texels in binary32, row by row from the top, with their own sampling.
 #pragma once
 
 #include <algorithm>
@@ -24,14 +24,14 @@ enum class Address { Clamp, Wrap };
 /// A texture filled by `texel(x, y, channel)`.
 Texture makeTexture(int width, int height, int channels, const std::function<double(int, int, int)>& texel);
 
-/// Every texel alike.
+/// A texture of one value.
 Texture constantTexture(int width, int height, const std::vector<float>& value);
 
-/// A texel's place in the image, where the addressing mode puts it.
+/// A texel's coordinate in the image, by the addressing mode.
 int addressed(int i, int size, Address address);
 
 /// Bilinear sample at every texel coordinate of the box x, y (in texels; 0.5 is the first texel's centre) of
-/// an image given by its texel function, which is only asked for texels inside.
+/// an image given by its texel function, which is called only for texels inside.
 template <class Texel>
 Interval bilinear(int width, int height, Address address, Interval x, Interval y, const Texel& texel) {
     const double tx = x.mid() - 0.5, ty = y.mid() - 0.5;

@@ -1,6 +1,5 @@
-// The slice shader as one writes it without permgen: Vulkan's HLSL with a macro for each switch, compiled
-// once for each technique. Same terms and the same interface as shaders/slices.fx, so that
-// compile_times compares like with like.
+// The slice shader written without permgen: Vulkan's HLSL with a macro for each switch, compiled once for each
+// technique. Same terms and the same interface as shaders/slices.fx, so that compile_times compares equivalent shaders.
 
 #ifndef NOISE
 #define NOISE 0

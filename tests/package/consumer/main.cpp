@@ -4,13 +4,13 @@
 #include <tint.fx.h>
 #include <tyndall/plan.h>
 
-// Read at compile time, as an engine would: what each technique needs is known before the first frame.
+// Reads the tables at compile time, like an engine that must know the needs of each technique before the first frame.
 static_assert(tint::effect.techniques.size() == 2);
 static_assert(!permgen::is_live(permgen::find_technique(tint::effect, "plain")->passes[0], "PictureSampler"));
 static_assert(permgen::is_live(permgen::find_technique(tint::effect, "picture")->passes[0], "PictureSampler"));
 
 int main() {
-    // And at run time, as an engine does that reloads what was edited.
+    // And at run time, like an engine that reloads edited effects.
     const auto loaded = permgen::load_manifest(EFFECTS);
     if (!loaded || loaded->tables().techniques.size() != tint::effect.techniques.size()) {
         std::fprintf(stderr, "%s\n", loaded ? "another number of techniques" : loaded.error().message.c_str());

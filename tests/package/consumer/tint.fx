@@ -1,4 +1,4 @@
-// An effect that has nothing to do with light shafts.
+// An effect unrelated to light shafts.
 #include "tint.fxh"
 
 sampler2D PictureSampler;

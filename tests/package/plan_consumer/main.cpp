@@ -1,4 +1,4 @@
-// Plans a frame and says why it is planned so. Every installed header of tyndall::plan compiles without Vulkan.
+// Plans a frame and explains the plan. Every installed header of tyndall::plan compiles without Vulkan.
 #include <tyndall/explain.h>
 #include <tyndall/light.h>
 #include <tyndall/plan.h>
