@@ -97,7 +97,7 @@ std::string collision(const std::vector<permgen::OutputFile>& files, const std::
         for (std::size_t other = 0; other < i; ++other)
             if (std::filesystem::weakly_canonical(files[i].path, ignored) ==
                 std::filesystem::weakly_canonical(files[other].path, ignored))
-                return "cannot write '" + files[i].path + "' twice; give --depfile a name of its own";
+                return "cannot write '" + files[i].path + "' twice; give --depfile another name";
     }
     return {};
 }

@@ -87,7 +87,7 @@ ScalarType Reader::scalar_type(std::uint32_t id) const {
         case spv::OpTypeFloat:
             return ScalarType::Float;
         default:
-            throw Unsupported("it has an input, output or switch that is no number");
+            throw Unsupported("it has an input, output or switch that is not a number");
     }
 }
 
@@ -164,7 +164,7 @@ std::uint32_t Reader::byte_size(std::uint32_t id, std::uint32_t matrix_stride, b
         case spv::OpTypeStruct:
             return struct_size(id);
         default:
-            throw Unsupported("a uniform block holds something that is no number");
+            throw Unsupported("a uniform block holds something that is not a number");
     }
 }
 
@@ -276,7 +276,7 @@ Reflection Reader::read() const {
 
 ReflectResult reflect(std::span<const std::uint32_t> code) {
     SpirvModule module;
-    if (!parse_spirv(code, module)) return {std::nullopt, "it is no SPIR-V module"};
+    if (!parse_spirv(code, module)) return {std::nullopt, "it is not a SPIR-V module"};
     try {
         return {Reader(module).read(), {}};
     } catch (const Unsupported& unsupported) {

@@ -85,7 +85,7 @@ std::string Transaction::stage(const OutputFile& file) {
     if (std::string why = make_folder(target.parent_path()); !why.empty()) return why;
     std::error_code error;
     if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-        return "cannot write '" + target.string() + "': something that is no file is in the way; remove it";
+        return "cannot write '" + target.string() + "': it exists and is not a file; remove it";
     if (holds(target, file.bytes)) return {};
     const std::string stem = "." + target.filename().string() + "." + std::to_string(::getpid());
     staged_.push_back({target, target.parent_path() / (stem + ".new"), {}, fs::exists(target, error)});

@@ -219,7 +219,7 @@ void parse_struct(ParseCursor& cursor) {
     if (cursor.peek().is_identifier())
         cursor.fail("PG020", cursor.peek().at,
                     "expected ';' after struct '" + std::string(structure.name) +
-                        "'; a variable of its type needs a declaration of its own");
+                        "'; declare the variable separately");
     cursor.expect(";", "after struct '" + std::string(structure.name) + "'");
     structure.range.end = cursor.at;
     cursor.effect.items.push_back({ItemKind::Struct, cursor.effect.structs.size(), 1, structure.range});
@@ -293,7 +293,7 @@ void parse_function_or_globals(ParseCursor& cursor) {
     if (cursor.is("{"))
         cursor.fail("PG020", type.at,
                     "'" + std::string(type.name) + " " + std::string(name.text) +
-                        "' is no declaration that may have a '{'" + hint);
+                        "' is not a declaration that may have a '{'" + hint);
     const std::size_t first = cursor.effect.globals.size();
     Variable variable;
     variable.type = type;

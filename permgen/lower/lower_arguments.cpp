@@ -112,7 +112,7 @@ private:
             if (function.name != compile_.entry || function.body.empty()) continue;
             if (found) {
                 error("PG030", compile_.entry_at,
-                      "'" + std::string(compile_.entry) + "' is overloaded; an entry point needs a name of its own");
+                      "'" + std::string(compile_.entry) + "' is overloaded; an entry point needs a unique name");
                 return nullptr;
             }
             found = &function;
@@ -263,7 +263,7 @@ std::optional<std::uint32_t> literal_bits(std::span<const Token> tokens, ScalarT
         }
         return std::nullopt;
     }
-    problem = "is no number that fits";
+    problem = "is not a valid number";
     return std::nullopt;
 }
 

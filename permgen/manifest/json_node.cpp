@@ -7,7 +7,7 @@
 namespace permgen {
 
 void JsonNode::fail(const std::string& what) const {
-    throw Fault{file_ + ": " + (place_.empty() ? "" : place_ + ": ") + what + "; write it anew with permgen compile"};
+    throw Fault{file_ + ": " + (place_.empty() ? "" : place_ + ": ") + what + "; write it again with permgen compile"};
 }
 
 bool JsonNode::has(std::string_view field) const {

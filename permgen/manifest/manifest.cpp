@@ -217,7 +217,7 @@ nlohmann::json parse(const std::filesystem::path& file) {
         const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
         const std::size_t bracket = what.find("] ");
         throw Fault{file.string() + ": " + (bracket == std::string::npos ? what : what.substr(bracket + 2)) +
-                    "; write it anew with permgen compile"};
+                    "; write it again with permgen compile"};
     }
 }
 

@@ -15,7 +15,7 @@ constexpr std::size_t header_bytes = 20;     // five words, same place
 
 [[noreturn]] void broken(const std::filesystem::path& file, const std::string& what,
                          ErrorCode code = ErrorCode::Format) {
-    throw Fault{file.string() + ": " + what + "; write it anew with permgen compile", code};
+    throw Fault{file.string() + ": " + what + "; write it again with permgen compile", code};
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ std::string read_bytes(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) broken(file, "there is no such file", ErrorCode::File);
-    if (!std::filesystem::is_regular_file(status)) broken(file, "this is no regular file", ErrorCode::File);
+    if (!std::filesystem::is_regular_file(status)) broken(file, "this is not a regular file", ErrorCode::File);
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream bytes;
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> read_spirv(const std::filesystem::path& file) {
     if (bytes.size() < header_bytes)
         broken(file, "the file ends after " + std::to_string(bytes.size()) + " bytes, within SPIR-V's header");
     if (bytes.size() % 4 != 0)
-        broken(file, "the file has " + std::to_string(bytes.size()) + " bytes, which is no whole number of words");
+        broken(file, "the file has " + std::to_string(bytes.size()) + " bytes, which is not a whole number of words");
     std::vector<std::uint32_t> words(bytes.size() / 4);
     for (std::size_t i = 0; i < bytes.size(); ++i)
         words[i / 4] |= std::uint32_t{static_cast<unsigned char>(bytes[i])} << (8 * (i % 4));

@@ -35,10 +35,10 @@ std::string drawnReason(const PlannedLight& light) {
         forced = forced || verdict == TermVerdict::Forced || verdict == TermVerdict::Overruled;
         (isDrawn(verdict) ? wanted : spared).emplace_back(nameOf(term));
     }
-    if (forced) return "The options ask for this technique, whatever the light calls for.";
-    if (wanted.empty()) return "The view calls for none of " + listed(spared) + ".";
-    if (spared.empty()) return "The view calls for " + listed(wanted) + ".";
-    return "The view calls for " + listed(wanted) + ", and not for " + listed(spared) + ".";
+    if (forced) return "The options force this technique.";
+    if (wanted.empty()) return "The view needs none of " + listed(spared) + ".";
+    if (spared.empty()) return "The view needs " + listed(wanted) + ".";
+    return "The view needs " + listed(wanted) + ", but not " + listed(spared) + ".";
 }
 
 // The area of a triangle's part in the square from -1 to 1.
@@ -84,7 +84,7 @@ std::string reason(const PlannedLight& light, const View& view) {
         case Verdict::BehindTiles:
             return "Not drawn: surfaces hide all of its volume.";
         case Verdict::DarkCookie:
-            return "Not drawn: its cookie is black wherever its volume is seen.";
+            return "Not drawn: its cookie is black in all of its seen volume.";
         case Verdict::NoDust:
             return "Not drawn: its noise is 0 everywhere.";
         case Verdict::Absorbed:

@@ -116,7 +116,7 @@ bool isSealedPipelineCache(std::span<const std::byte> bytes) {
 
 Result<std::span<const std::byte>> openPipelineCache(std::span<const std::byte> sealed,
                                                      const VkPhysicalDeviceProperties& device) {
-    if (!isSealedPipelineCache(sealed)) return invalidArgument("the bytes are no pipeline cache that was sealed here");
+    if (!isSealedPipelineCache(sealed)) return invalidArgument("the bytes are not a sealed pipeline cache");
     // The version comes first: another version may define all other fields differently.
     if (sealed.size() >= versionAt + 4 && read<std::uint32_t>(sealed, versionAt) != sealVersion)
         return invalidArgument("the pipeline cache has version " +

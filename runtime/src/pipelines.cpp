@@ -83,7 +83,7 @@ Result<Draft> draft(const Gpu& gpu, PipelineStore& store, const PipelineRequest&
     const std::string name = passName(*request.effect, pass);
     if (name.empty())
         return invalidArgument("the pass is none of the effect " + std::string(request.effect->name) +
-                               "; give one of its own");
+                               "; give a pass of that effect");
     if (!pass.vertex.module) return invalidArgument(name + ": the pass has no vertex shader; give it one");
     auto attributes = vertexAttributes(gpu, *pass.vertex.module, request.elements);
     if (!attributes) return within(name, attributes.error());

@@ -201,10 +201,10 @@ TEST_F(BrokenManifest, FilesThatAreNotThere) {
     fs::remove(code);
     expect_refused(code, "there is no such file");
     ASSERT_EQ(::mkfifo(code.c_str(), 0600), 0);
-    expect_refused(code, "this is no regular file");
+    expect_refused(code, "this is not a regular file");
     fs::remove(code);
     fs::create_directory(code);
-    expect_refused(code, "this is no regular file");
+    expect_refused(code, "this is not a regular file");
     fs::remove(manifest);
     expect_refused(manifest, "there is no such file");
 }
@@ -218,7 +218,7 @@ TEST_F(BrokenManifest, FilesThatAreNoSpirv) {
     put(code, bytes.substr(0, 16));
     expect_refused(code, "the file ends after 16 bytes, within SPIR-V's header");
     put(code, bytes.substr(0, bytes.size() - 1));
-    expect_refused(code, "which is no whole number of words");
+    expect_refused(code, "which is not a whole number of words");
     put(code, std::string(bytes.size(), ' '));
     expect_refused(code, "does not begin with SPIR-V's magic number");
     std::string swapped = bytes;

@@ -118,13 +118,13 @@ TEST(Reflect, WhatTheTablesCannotSayIsRefused) {
 }
 
 TEST(Reflect, WhatIsNoModuleIsRefused) {
-    EXPECT_EQ(reflect({}).reason, "it is no SPIR-V module");
+    EXPECT_EQ(reflect({}).reason, "it is not a SPIR-V module");
     const std::vector<std::uint32_t> junk(12, 0x12345678u);
-    EXPECT_EQ(reflect(junk).reason, "it is no SPIR-V module");
+    EXPECT_EQ(reflect(junk).reason, "it is not a SPIR-V module");
     const CompileResult compiled = compile_hlsl(Stage::Pixel, "entry", "float4 entry() : SV_Target0 { return 1.0; }\n");
     auto cut = compiled.code;
     cut.back() = 9u << 16 | spv::OpNop;  // an instruction longer than what is left
-    EXPECT_EQ(reflect(cut).reason, "it is no SPIR-V module");
+    EXPECT_EQ(reflect(cut).reason, "it is not a SPIR-V module");
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST_F(WriteFiles, AFolderInTheWayStopsEverything) {
     put("one", "old");
     fs::create_directory(at("two"));
     const std::string why = write_files({{at("one"), "new"}, {at("sub/x"), "x"}, {at("two"), "new"}});
-    EXPECT_NE(why.find("two': something that is no file is in the way"), std::string::npos) << why;
+    EXPECT_NE(why.find("two': it exists and is not a file"), std::string::npos) << why;
     EXPECT_EQ(read(at("one")), "old");
     EXPECT_EQ(listing(), (Names{"one", "two"}));
 }
@@ -131,7 +131,7 @@ TEST_F(WriteFiles, AFolderThatMayNotBeWrittenIsTold) {
 TEST_F(WriteFiles, WhatIsNoFileIsNotReplaced) {
     ASSERT_EQ(::mkfifo(at("pipe").c_str(), 0600), 0);  // instead of /dev/null, which a test should not risk
     const std::string why = write_files({{at("pipe"), "1"}});
-    EXPECT_NE(why.find("something that is no file"), std::string::npos) << why;
+    EXPECT_NE(why.find("it exists and is not a file"), std::string::npos) << why;
     EXPECT_TRUE(fs::is_fifo(at("pipe")));
 }
 

@@ -17,13 +17,13 @@ Shot formatShot(int slices = 16) {
 }
 
 double brightest(const OracleImage& image, int channel, bool quarters) {
-    double most = 0.0;
+    double max = 0.0;
     for (const PixelSum& pixel : image.pixels) {
-        if (!quarters) most = std::max(most, pixel.rgba[channel].hi);
+        if (!quarters) max = std::max(max, pixel.rgba[channel].hi);
         for (const auto& quarter : pixel.quarter)
-            if (quarters) most = std::max(most, quarter[channel].hi);
+            if (quarters) max = std::max(max, quarter[channel].hi);
     }
-    return most;
+    return max;
 }
 
 // A value that a 8-bit target adds is first converted to a 255th, "to nearest" as the Vulkan specification prefers and
@@ -76,8 +76,8 @@ TEST_F(FormatTest, RoutedEightBitsKeepEveryFourthSliceInAChannelOfItsOwn) {
         // The grey value times the group's tint is the light's colour again.
         ASSERT_EQ(drawing.plan.groups.size(), 1u);
         const glm::dvec3 colour = shot.light.colour;
-        const double most = std::max({colour.r, colour.g, colour.b});
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawing.plan.groups[0].tint[c], colour[c] / most, 1e-6);
+        const double max = std::max({colour.r, colour.g, colour.b});
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawing.plan.groups[0].tint[c], colour[c] / max, 1e-6);
     }
 }
 

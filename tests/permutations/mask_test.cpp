@@ -62,7 +62,7 @@ bool dark(const Picture& open, std::size_t pixel) {
 
 TEST_P(MaskTest, IsTheQuotientOfThePictureWithItAndThePictureWithoutIt) {
     const MaskCase& one = GetParam();
-    double least = INFINITY, most = 0.0;
+    double min = INFINITY, max = 0.0;
     for (const NamedShot& named : slicesOf(one)) {
         SCOPED_TRACE(named.name);
         const Drawing masked = draw(named.shot, optionsFor(one.permutation));
@@ -85,8 +85,8 @@ TEST_P(MaskTest, IsTheQuotientOfThePictureWithItAndThePictureWithoutIt) {
                 quotient.pixels[i][c] =
                     static_cast<float>(static_cast<double>(masked.sum.pixels[i][c]) / open.sum.pixels[i][c]);
                 allowed[i][c] = rounded((*expected[i])[c]);  // the quotient is kept in binary32
-                least = std::min(least, (*expected[i])[c].mid());
-                most = std::max(most, (*expected[i])[c].mid());
+                min = std::min(min, (*expected[i])[c].mid());
+                max = std::max(max, (*expected[i])[c].mid());
             }
         }
         judgeOracle(one.permutation,
@@ -97,7 +97,7 @@ TEST_P(MaskTest, IsTheQuotientOfThePictureWithItAndThePictureWithoutIt) {
         EXPECT_GT(pixels, 300);
         EXPECT_LT(vagueness(allowed), 0.02);
     }
-    EXPECT_LT(least, 0.7 * most);  // a constant mask would prove nothing
+    EXPECT_LT(min, 0.7 * max);  // a constant mask would prove nothing
 }
 
 }  // namespace

@@ -15,29 +15,29 @@ using namespace test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Way {
+struct Setting {
     Light light;
     LightPose pose;
     SeenAir air;
 };
 
 // A random projector; the seen air is a box in slide and axis coordinates.
-Way randomWay(Random& random) {
-    Way way;
-    way.light = projector();
-    way.light.worldFromLight = rigidMotion(random, 100.0);
-    way.pose = lightPose(way.light.worldFromLight, rigidMotion(random, 100.0));
-    const glm::dvec2 slope = glm::tan(0.5 * way.light.fov);
-    const auto range = [&](double least, double most) {
-        const double a = between(random, least, most), b = between(random, least, most);
+Setting randomSetting(Random& random) {
+    Setting setting;
+    setting.light = projector();
+    setting.light.worldFromLight = rigidMotion(random, 100.0);
+    setting.pose = lightPose(setting.light.worldFromLight, rigidMotion(random, 100.0));
+    const glm::dvec2 slope = glm::tan(0.5 * setting.light.fov);
+    const auto range = [&](double min, double max) {
+        const double a = between(random, min, max), b = between(random, min, max);
         return std::pair(std::min(a, b), std::max(a, b));
     };
-    SeenAir& air = way.air;
+    SeenAir& air = setting.air;
     air.any = true;
-    std::tie(air.axisNear, air.axisFar) = range(way.light.nearPlane, way.light.farPlane);
+    std::tie(air.axisNear, air.axisFar) = range(setting.light.nearPlane, setting.light.farPlane);
     std::tie(air.slopes.min.x, air.slopes.max.x) = range(-slope.x, slope.x);
     std::tie(air.slopes.min.y, air.slopes.max.y) = range(-slope.y, slope.y);
-    return way;
+    return setting;
 }
 
 // A box with random rotation, scale and shear, near the beam.
@@ -73,8 +73,8 @@ double entry(const OccluderBox& box, const glm::dvec3& from, const glm::dvec3& t
     return first <= last ? first : infinity;
 }
 
-glm::dvec3 seenPoint(Random& random, const Way& way) {
-    const SeenAir& air = way.air;
+glm::dvec3 seenPoint(Random& random, const Setting& setting) {
+    const SeenAir& air = setting.air;
     return between(random, air.axisNear, air.axisFar) * glm::dvec3(between(random, air.slopes.min.x, air.slopes.max.x),
                                                                    between(random, air.slopes.min.y, air.slopes.max.y),
                                                                    -1.0);
@@ -84,34 +84,34 @@ TEST(ShadowNeed, MissesNoOccluder) {
     Random random(1);
     int needed = 0, spared = 0, needless = 0, divided = 0;
     for (int trial = 0; trial < 2000; ++trial) {
-        const Way way = randomWay(random);
+        const Setting setting = randomSetting(random);
         std::vector<OccluderBox> boxes;
         for (int i = 0, count = 1 + static_cast<int>(random() % 3); i < count; ++i)
-            boxes.push_back(randomBox(random, way.light));
+            boxes.push_back(randomBox(random, setting.light));
         const OccluderSet set = OccluderSet::fromBoxes(boxes).value();
-        const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, set, 1024, scratch);
+        const ShadowNeed need = shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, scratch);
         bool hit = false;
         for (int i = 0; i < 300; ++i) {
-            const glm::dvec3 point = seenPoint(random, way);
+            const glm::dvec3 point = seenPoint(random, setting);
             const double axis = -point.z;
-            const glm::dmat4& world = way.light.worldFromLight;
+            const glm::dmat4& world = setting.light.worldFromLight;
             // Occluders before the near plane throw no shadow.
-            const glm::dvec3 from(world * glm::dvec4(point * (way.light.nearPlane / axis), 1.0));
+            const glm::dvec3 from(world * glm::dvec4(point * (setting.light.nearPlane / axis), 1.0));
             const glm::dvec3 to(world * glm::dvec4(point, 1.0));
             for (const OccluderBox& box : boxes) {
                 const double at = entry(box, from, to);
                 if (at == infinity) continue;
                 hit = true;
                 EXPECT_TRUE(need.needed) << trial;
-                const double occluder = glm::mix(way.light.nearPlane, axis, at);
+                const double occluder = glm::mix(setting.light.nearPlane, axis, at);
                 EXPECT_LE(need.firstOccluder, occluder) << trial;
             }
         }
         needed += need.needed;
         spared += !need.needed;
         needless += need.needed && !hit;
-        divided += need.needed && need.firstOccluder > way.air.axisNear;
-        EXPECT_GE(need.firstOccluder, way.light.nearPlane);
+        divided += need.needed && need.firstOccluder > setting.air.axisNear;
+        EXPECT_GE(need.firstOccluder, setting.light.nearPlane);
         EXPECT_EQ(need.needed, std::isfinite(need.firstOccluder));
     }
     EXPECT_GT(needed, 300);
@@ -124,38 +124,38 @@ TEST(ShadowNeed, MissesNoOccluder) {
 
 TEST(ShadowNeed, IsNoneWithoutOccluders) {
     Random random(2);
-    const Way way = randomWay(random);
-    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, {}, 1024, scratch).needed);
+    const Setting setting = randomSetting(random);
+    EXPECT_FALSE(shadowNeed(setting.light, setting.pose, setting.air, {}, {}, 1024, scratch).needed);
 }
 
 // Filtering reads a texel and a half beyond the seen air, which is wide in the coarsest map.
 TEST(ShadowNeed, CountsWhatFilteringReads) {
-    Way way;
-    way.light = projector();
-    way.pose = lightPose(way.light.worldFromLight, glm::dmat4(1.0));
-    way.air.any = true;
-    way.air.axisNear = 1.0;
-    way.air.axisFar = 5.0;
-    way.air.slopes.min = {-0.1, -0.1};
-    way.air.slopes.max = {0.1, 0.1};
+    Setting setting;
+    setting.light = projector();
+    setting.pose = lightPose(setting.light.worldFromLight, glm::dmat4(1.0));
+    setting.air.any = true;
+    setting.air.axisNear = 1.0;
+    setting.air.axisFar = 5.0;
+    setting.air.slopes.min = {-0.1, -0.1};
+    setting.air.slopes.max = {0.1, 0.1};
     OccluderBox box;
     // A texel of a map of 64 is 2 * tan(20 degrees) / 64 = 0.0114 wide: this begins one texel out, at 2 m.
     box.minimum = {2.0 * (0.1 + 0.0114), -0.1, -2.01};
     box.maximum = {0.5, 0.1, -2.0};
     const OccluderSet set = setOf(box);
-    EXPECT_TRUE(shadowNeed(way.light, way.pose, way.air, {}, set, 64, scratch).needed);
-    EXPECT_FALSE(shadowNeed(way.light, way.pose, way.air, {}, set, 1024, scratch).needed);
+    EXPECT_TRUE(shadowNeed(setting.light, setting.pose, setting.air, {}, set, 64, scratch).needed);
+    EXPECT_FALSE(shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, scratch).needed);
 }
 
 // A sheet x = 0.2 w - 2e-6, w the distance along the axis, that passes the lamp at 2 micrometres and behind it as well.
 // A ray of slope s meets it at w = 2e-6 / (0.2 - s): beyond the near plane for every slope from -1.8 to 0.2.
 TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
-    Way way;
-    way.light = projector();
-    way.light.nearPlane = 1e-6;
-    way.pose = lightPose(way.light.worldFromLight, glm::dmat4(1.0));
-    const glm::dvec2 slope = glm::tan(0.5 * way.light.fov);
-    way.air = SeenAir{true, 0.0, 0.0, 1e-6, 5.0, {-slope, slope}};
+    Setting setting;
+    setting.light = projector();
+    setting.light.nearPlane = 1e-6;
+    setting.pose = lightPose(setting.light.worldFromLight, glm::dmat4(1.0));
+    const glm::dvec2 slope = glm::tan(0.5 * setting.light.fov);
+    setting.air = SeenAir{true, 0.0, 0.0, 1e-6, 5.0, {-slope, slope}};
     OccluderBox box;
     const auto sheet = [](float w, float y) { return glm::vec3(0.2f * w - 2e-6f, y, -w); };
     const std::array<std::array<glm::vec3, 3>, 2> triangles{
@@ -165,7 +165,7 @@ TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
     box.maximum = {0.21, 2.0, 1.0};
     box.triangles = triangles;
     const OccluderSet set = setOf(box);
-    const ShadowNeed need = shadowNeed(way.light, way.pose, way.air, {}, set, 1024, scratch);
+    const ShadowNeed need = shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, scratch);
     ASSERT_TRUE(need.needed);
     for (const double s : {-0.3, -0.1, 0.0, 0.1, 0.19}) {
         EXPECT_LE(need.firstOccluder, 2e-6 / (0.2 - s)) << s;
@@ -174,21 +174,21 @@ TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
 }
 
 TEST(ShadowNeed, LeavesTheWallItselfOut) {
-    Way way;
-    way.light = projector();
-    way.pose = lightPose(way.light.worldFromLight, glm::dmat4(1.0));
-    way.air.any = true;
-    way.air.axisNear = 1.0;
-    way.air.axisFar = 4.0;
-    way.air.slopes.min = {-0.3, -0.2};
-    way.air.slopes.max = {0.3, 0.2};
+    Setting setting;
+    setting.light = projector();
+    setting.pose = lightPose(setting.light.worldFromLight, glm::dmat4(1.0));
+    setting.air.any = true;
+    setting.air.axisNear = 1.0;
+    setting.air.axisFar = 4.0;
+    setting.air.slopes.min = {-0.3, -0.2};
+    setting.air.slopes.max = {0.3, 0.2};
     const glm::dvec4 walls[] = {{0.0, 0.0, 1.0, 4.0 + wallMargin(4.0)}};
     OccluderBox box;
     box.minimum = {-2.0, -2.0, -4.3};
     box.maximum = {2.0, 2.0, -4.0};
     const auto needed = [&] {
         const OccluderSet set = setOf(box);
-        return shadowNeed(way.light, way.pose, way.air, walls, set, 1024, scratch);
+        return shadowNeed(setting.light, setting.pose, setting.air, walls, set, 1024, scratch);
     };
     EXPECT_FALSE(needed().needed);
     box.maximum.z = -3.9;
@@ -200,15 +200,15 @@ TEST(ShadowNeed, LeavesTheWallItselfOut) {
 TEST(CookieRange, HoldsWhatEverySeenPointReads) {
     Random random(3);
     for (int trial = 0; trial < 200; ++trial) {
-        Way way = randomWay(random);
-        way.light.cookie = true;
+        Setting setting = randomSetting(random);
+        setting.light.cookie = true;
         std::vector<glm::vec4> texels;  // 32 x 32 different greys, so cells are texels
         for (int i = 0; i < 1024; ++i) texels.push_back(glm::vec4(static_cast<float>(i)));
         const TextureSurvey survey = surveyTexture(32, 32, texels, false);
-        const FactorRange range = cookieRange(way.light, way.air, &survey);
-        const glm::dvec2 slope = glm::tan(0.5 * way.light.fov);
+        const FactorRange range = cookieRange(setting.light, setting.air, &survey);
+        const glm::dvec2 slope = glm::tan(0.5 * setting.light.fov);
         for (int i = 0; i < 50; ++i) {
-            const glm::dvec3 p = seenPoint(random, way);
+            const glm::dvec3 p = seenPoint(random, setting);
             const double u = 0.5 + 0.5 * p.x / -p.z / slope.x, v = 0.5 - 0.5 * p.y / -p.z / slope.y;
             const double value = std::floor(v * 32.0) * 32.0 + std::floor(u * 32.0);  // filtering reads part of that
                                                                                       // texel
@@ -220,13 +220,13 @@ TEST(CookieRange, HoldsWhatEverySeenPointReads) {
 
 TEST(FactorRanges, OfWhatIsNotThereAreOneAndOfTheUnknownAreAnything) {
     Random random(4);
-    const Way way = randomWay(random);
-    Light light = way.light;
-    EXPECT_EQ(cookieRange(light, way.air, nullptr).min, glm::dvec3(1.0));
+    const Setting setting = randomSetting(random);
+    Light light = setting.light;
+    EXPECT_EQ(cookieRange(light, setting.air, nullptr).min, glm::dvec3(1.0));
     EXPECT_EQ(noiseRange(light, nullptr).max, glm::dvec3(1.0));
     light.cookie = true;
     light.noise = Noise{};
-    EXPECT_EQ(cookieRange(light, way.air, nullptr).spread(), infinity);
+    EXPECT_EQ(cookieRange(light, setting.air, nullptr).spread(), infinity);
     EXPECT_EQ(noiseRange(light, nullptr).spread(), infinity);
     light.noise->gain = 0.0;
     EXPECT_EQ(noiseRange(light, nullptr).max, glm::dvec3(0.0));
@@ -242,14 +242,14 @@ TEST(NoiseRange, HoldsEveryProductOfRedAndGreen) {
         for (int i = 0; i < 64; ++i) texels.push_back(glm::vec4(glm::dvec4(inCube(random, 1.0), 1.0)));
         const TextureSurvey survey = surveyTexture(8, 8, texels, true);
         const FactorRange range = noiseRange(light, &survey);
-        double least = infinity, most = -infinity;
+        double min = infinity, max = -infinity;
         for (const glm::vec4& a : texels)
             for (const glm::vec4& b : texels) {
-                least = std::min(least, light.noise->gain * a.r * b.g);
-                most = std::max(most, light.noise->gain * a.r * b.g);
+                min = std::min(min, light.noise->gain * a.r * b.g);
+                max = std::max(max, light.noise->gain * a.r * b.g);
             }
-        EXPECT_NEAR(range.min.x, least, 1e-6);
-        EXPECT_NEAR(range.max.x, most, 1e-6);
+        EXPECT_NEAR(range.min.x, min, 1e-6);
+        EXPECT_NEAR(range.max.x, max, 1e-6);
     }
 }
 

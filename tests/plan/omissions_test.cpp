@@ -37,8 +37,8 @@ struct Faint {
     }
 };
 
-FactorRange between01(double least, double most) {
-    return {glm::dvec3(least), glm::dvec3(most)};
+FactorRange between01(double min, double max) {
+    return {glm::dvec3(min), glm::dvec3(max)};
 }
 
 TEST(Omissions, StayUnderAQuarterStepTogether) {

@@ -43,7 +43,7 @@ TEST(Technique, CanBeForced) {
     const Plan result = planned({scene.light}, scene.view, options);
     EXPECT_EQ(result.lights[0].terms, TermSet::all());
     EXPECT_EQ(reason(result.lights[0], scene.view),
-              "The options ask for this technique, whatever the light calls for.");
+              "The options force this technique.");
     options.terms = TermSet{};
     scene.light.shadow = true;
     const PlannedLight light = planned({scene.light}, scene.view, options).lights[0];
@@ -55,13 +55,13 @@ TEST(Reason, TellsWhatIsSpared) {
     Random random(3);
     Scene scene = randomScene(random);
     const auto why = [&] { return reason(planned({scene.light}, scene.view, slices(4)).lights[0], scene.view); };
-    EXPECT_EQ(why(), "The view calls for none of noise, shadow, cookie and scattering.");
+    EXPECT_EQ(why(), "The view needs none of noise, shadow, cookie and scattering.");
     scene.light.cookie = true;
-    EXPECT_EQ(why(), "The view calls for cookie, and not for noise, shadow and scattering.");
+    EXPECT_EQ(why(), "The view needs cookie, but not noise, shadow and scattering.");
     scene.light.shadow = true;
-    EXPECT_EQ(why(), "The view calls for shadow and cookie, and not for noise and scattering.");
+    EXPECT_EQ(why(), "The view needs shadow and cookie, but not noise and scattering.");
     scene.light.noise = Noise{};
-    EXPECT_EQ(why(), "The view calls for noise, shadow and cookie, and not for scattering.");
+    EXPECT_EQ(why(), "The view needs noise, shadow and cookie, but not scattering.");
 }
 
 struct UndrawnCase {

@@ -62,8 +62,8 @@ inline glm::dmat4 lookingAt(const glm::dvec3& position, const glm::dvec3& target
 
 using Random = std::mt19937_64;
 
-inline double between(Random& random, double least, double most) {
-    return std::uniform_real_distribution<double>(least, most)(random);
+inline double between(Random& random, double min, double max) {
+    return std::uniform_real_distribution<double>(min, max)(random);
 }
 
 inline glm::dvec3 inCube(Random& random, double half) {
@@ -165,13 +165,13 @@ inline double summedVolume(const Plan& plan, const PlannedLight& light) {
 
 /// Minimum signed distance of a point to the sides of a counter-clockwise convex polygon, positive inside.
 inline double insideBy(const Corners& polygon, const glm::dvec2& point) {
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::dvec2 start = polygon[i];
         const glm::dvec2 side = polygon[(i + 1) % polygon.size()] - start;
-        if (glm::length(side) > 0.0) least = std::min(least, cross(side, point - start) / glm::length(side));
+        if (glm::length(side) > 0.0) min = std::min(min, cross(side, point - start) / glm::length(side));
     }
-    return least;
+    return min;
 }
 
 inline Plan planned(const std::vector<Light>& lights, const View& view, const PlanOptions& options) {

@@ -58,7 +58,7 @@ struct Stage {
     }
 };
 
-View onTheWay(int frame) {
+View viewOnPath(int frame) {
     const double angle = 0.06 * frame;
     return perspectiveView(lookingAt({9.0 * std::cos(angle), 1.0, 9.0 * std::sin(angle)}, {0.0, 0.0, 0.0}), 0.9, 1.5,
                            0.1, std::numeric_limits<double>::infinity());
@@ -82,7 +82,7 @@ TEST(Planner, AllocatesNothingInTheSteadyState) {
                     std::size_t drawn = 0, steady = 0;
                     for (int frame = 0; frame < 200; ++frame) {
                         options.time = 0.02 * frame;
-                        const View view = onTheWay(frame % 100);  // the second round repeats the first
+                        const View view = viewOnPath(frame % 100);  // the second round repeats the first
                         glm::dmat4 moving(1.0);
                         moving[3].y = 0.1 * (frame % 100);
                         const std::size_t before = allocations();
@@ -101,7 +101,7 @@ TEST(Planner, AllocatesNothingInTheSteadyState) {
 TEST(Planner, CountsAllocationsAtAll) {
     const Stage stage;
     const std::size_t before = allocations();
-    ASSERT_TRUE(plan(stage.lights, onTheWay(0), slices(32), stage.surroundings));
+    ASSERT_TRUE(plan(stage.lights, viewOnPath(0), slices(32), stage.surroundings));
     EXPECT_GT(allocations(), before);
 }
 
@@ -112,8 +112,8 @@ TEST(Planner, PlansAsPlanDoesWhateverItPlannedBefore) {
     for (int frame = 0; frame < 100; frame += 9) {
         PlanOptions options = slices(frame % 2 ? 16 : 40);
         options.displayStep = frame % 3 ? 1.0 / 256.0 : 0.0;
-        ASSERT_TRUE(planner.plan(stage.lights, onTheWay(frame), options, stage.surroundings, reused));
-        const Result<Plan> fresh = plan(stage.lights, onTheWay(frame), options, stage.surroundings);
+        ASSERT_TRUE(planner.plan(stage.lights, viewOnPath(frame), options, stage.surroundings, reused));
+        const Result<Plan> fresh = plan(stage.lights, viewOnPath(frame), options, stage.surroundings);
         ASSERT_TRUE(fresh);
         ASSERT_EQ(reused.vertices.size(), fresh->vertices.size());
         EXPECT_EQ(reused.indices, fresh->indices);

@@ -44,7 +44,7 @@ TEST(ScatteringRange, HoldsEveryPointAndIsNearlyMetBySome) {
         air.nearDepth = 0.1;
         air.farDepth = 100.0;
         const FactorRange range = scatteringRange(light, view, pose, air);
-        double least = std::numeric_limits<double>::infinity(), most = 0.0;
+        double min = std::numeric_limits<double>::infinity(), max = 0.0;
         for (int i = 0; i < 200; ++i) {
             const double axis = between(random, air.axisNear, air.axisFar);
             const glm::dvec2 slope(between(random, air.slopes.min.x, air.slopes.max.x),
@@ -52,14 +52,14 @@ TEST(ScatteringRange, HoldsEveryPointAndIsNearlyMetBySome) {
             const glm::dvec3 p(pose.viewFromLight * glm::dvec4(glm::dvec3(slope, -1.0) * axis, 1.0));
             if (-p.z < air.nearDepth) continue;
             const double factor = factorAt(light, view, pose, p);
-            least = std::min(least, factor);
-            most = std::max(most, factor);
+            min = std::min(min, factor);
+            max = std::max(max, factor);
         }
-        if (most == 0.0) continue;
-        EXPECT_LE(range.min.x, least * (1.0 + 1e-9)) << trial;
-        EXPECT_GE(range.max.x, most * (1.0 - 1e-9)) << trial;
+        if (max == 0.0) continue;
+        EXPECT_LE(range.min.x, min * (1.0 + 1e-9)) << trial;
+        EXPECT_GE(range.max.x, max * (1.0 - 1e-9)) << trial;
         EXPECT_LE(range.max.x, phasePeak(light) * (1.0 + 1e-12)) << trial;
-        tightest = std::max(tightest, (most - least) / (range.max.x - range.min.x));
+        tightest = std::max(tightest, (max - min) / (range.max.x - range.min.x));
     }
     EXPECT_GT(tightest, 0.5) << "a bound that nothing comes near tells little";
 }

@@ -35,7 +35,7 @@ glm::dmat4 placed(const glm::dvec3& position) {
 TEST(MayShade, EveryBoxWithAPointInThePyramid) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    const auto vector = [&](double most) { return glm::dvec3(unit(random), unit(random), unit(random)) * most; };
+    const auto vector = [&](double max) { return glm::dvec3(unit(random), unit(random), unit(random)) * max; };
     int met = 0, clear = 0;
     for (int round = 0; round < 20000; ++round) {
         const glm::dvec3 away = round % 3 == 0 ? vector(1e6) : glm::dvec3(0.0);

@@ -93,15 +93,15 @@ TEST(Slabs, AreNumberedTowardsTheEye) {
 // Minimum distance from the lamp to the pyramid's cross-section at that depth, by sampling.
 double nearestOf(const Beam& beam, double depth) {
     const glm::dvec2 slope = glm::tan(0.5 * beam.light.fov);
-    double least = infinity;
+    double min = infinity;
     for (int i = 0; i <= 200; ++i)
         for (int k = 0; k <= 200; ++k) {
             const glm::dvec3 direction(slope.x * (0.01 * i - 1.0), slope.y * (0.01 * k - 1.0), -1.0);
             const glm::dvec3 view = glm::dmat3(beam.pose.viewFromLight) * direction;
             const double axis = (depth + beam.pose.viewFromLight[3].z) / -view.z;
-            if (axis > 0.0 && axis < beam.light.farPlane) least = std::min(least, axis * glm::length(direction));
+            if (axis > 0.0 && axis < beam.light.farPlane) min = std::min(min, axis * glm::length(direction));
         }
-    return least;
+    return min;
 }
 
 // Of the beam, over the distance from the lamp.
@@ -163,10 +163,10 @@ TEST(Slabs, AreNoThinnerThanAQuarterOfAPixelAndWhereTheBeamIsWideThanAPixel) {
         const double pixel = 2.0 * std::tan(0.6) / 100.0 * beam.volume.nearDepth;
         const bool isWide = widthOf(beam.light) * beam.light.nearPlane > 8.0 * pixel;
         wide += isWide;
-        const double least = (isWide ? 1.0 : 0.25) * pixel;
+        const double min = (isWide ? 1.0 : 0.25) * pixel;
         double thinnest = infinity;
         for (int i = 1; i + 1 < slabs.count; ++i) thinnest = std::min(thinnest, slabAt(slabs, i).thickness);
-        EXPECT_GE(thinnest, least * (1.0 - 1e-9));
+        EXPECT_GE(thinnest, min * (1.0 - 1e-9));
     }
     EXPECT_GT(wide, 20);
     EXPECT_LT(wide, 180);

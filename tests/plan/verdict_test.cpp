@@ -13,9 +13,9 @@ TextureSurvey uniformSurvey(float value, bool wraps = false) {
     return surveyTexture(4, 4, texels, wraps);
 }
 
-TextureSurvey patterned(float least, float most, bool wraps = false) {
+TextureSurvey patterned(float min, float max, bool wraps = false) {
     std::vector<glm::vec4> texels;
-    for (int i = 0; i < 64 * 64; ++i) texels.push_back(glm::vec4((i / 64 + i) % 2 ? least : most));
+    for (int i = 0; i < 64 * 64; ++i) texels.push_back(glm::vec4((i / 64 + i) % 2 ? min : max));
     return surveyTexture(64, 64, texels, wraps);
 }
 
@@ -78,7 +78,7 @@ void expectUndrawn(const Case& c, Verdict verdict, const std::string& sentence) 
         EXPECT_TRUE(forced.drawn) << sentence;
         EXPECT_EQ(forced.slices, 20) << sentence;
         EXPECT_EQ(forced.terms, TermSet::all()) << sentence;
-        EXPECT_EQ(reason(forced, c.view), "The options ask for this technique, whatever the light calls for.");
+        EXPECT_EQ(reason(forced, c.view), "The options force this technique.");
     }
 }
 
@@ -141,7 +141,7 @@ TEST(Verdict, NothingToSee) {
     Case c;
     c.light.cookie = true;
     c.cookie = uniformSurvey(0.0f);
-    expectUndrawn(c, Verdict::DarkCookie, "Not drawn: its cookie is black wherever its volume is seen.");
+    expectUndrawn(c, Verdict::DarkCookie, "Not drawn: its cookie is black in all of its seen volume.");
     c = {};
     c.light.noise = Noise{};
     c.noise = uniformSurvey(0.0f, true);

@@ -33,10 +33,10 @@ inline rc::Gen<BoxRecipe> boxRecipes() {
 }
 
 template <class T>
-rc::Gen<std::vector<T>> upTo(int least, int most, const rc::Gen<T>& one) {
+rc::Gen<std::vector<T>> upTo(int min, int max, const rc::Gen<T>& one) {
     return rc::gen::suchThat(
-        rc::gen::resize(most, rc::gen::container<std::vector<T>>(rc::gen::resize(rc::kNominalSize, one))),
-        [=](const auto& all) { return static_cast<int>(all.size()) >= least && static_cast<int>(all.size()) <= most; });
+        rc::gen::resize(max, rc::gen::container<std::vector<T>>(rc::gen::resize(rc::kNominalSize, one))),
+        [=](const auto& all) { return static_cast<int>(all.size()) >= min && static_cast<int>(all.size()) <= max; });
 }
 
 inline rc::Gen<Recipe> recipes() {

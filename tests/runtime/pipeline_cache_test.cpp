@@ -100,10 +100,10 @@ TEST(PipelineCache, OtherFilesAreNotOurs) {
     for (const std::string text : {"glTF", "some words that are no cache", "\n"}) {
         const auto bytes = std::as_bytes(std::span(text));
         EXPECT_FALSE(isSealedPipelineCache(bytes));
-        expectRefused(bytes, aDevice(), "no pipeline cache that was sealed here");
+        expectRefused(bytes, aDevice(), "not a sealed pipeline cache");
     }
     const std::vector<std::byte> raw = dataOf(aDevice(), 100);
-    expectRefused(raw, aDevice(), "no pipeline cache that was sealed here");
+    expectRefused(raw, aDevice(), "not a sealed pipeline cache");
 }
 
 struct Difference {

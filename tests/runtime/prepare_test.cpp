@@ -21,7 +21,7 @@ void twice(std::size_t count, const std::function<void(std::size_t)>& job) {
     onThreads(2 * count, [&](std::size_t i) { job(i / 2); });
 }
 
-struct Way {
+struct LoopCase {
     const char* name;
     ParallelFor loop;
 };
@@ -77,13 +77,13 @@ protected:
     std::vector<TermSet> terms;
 };
 
-class PrepareBy : public Prepare, public testing::WithParamInterface<std::tuple<Shaders, Way>> {
+class PrepareBy : public Prepare, public testing::WithParamInterface<std::tuple<Shaders, LoopCase>> {
 protected:
     PrepareBy() : Prepare(std::get<Shaders>(GetParam())) {}
 };
 
 TEST_P(PrepareBy, RecordingMakesNoPipelineAnyMore) {
-    must(renderer.prepare(needs(), std::get<Way>(GetParam()).loop));
+    must(renderer.prepare(needs(), std::get<LoopCase>(GetParam()).loop));
     const RendererCounters prepared = renderer.counters();
     EXPECT_EQ(prepared.pipelinesCreated, TermSet::count + 1u + 1u);
     EXPECT_EQ(prepared.pipelinesPrepared, prepared.pipelinesCreated);
@@ -91,7 +91,7 @@ TEST_P(PrepareBy, RecordingMakesNoPipelineAnyMore) {
     EXPECT_EQ(renderer.counters().pipelinesCreated, prepared.pipelinesCreated);
 
     // A second call has nothing to do.
-    must(renderer.prepare(needs(), std::get<Way>(GetParam()).loop));
+    must(renderer.prepare(needs(), std::get<LoopCase>(GetParam()).loop));
     EXPECT_EQ(renderer.counters().pipelinesPrepared, prepared.pipelinesPrepared);
 
     renderer = must(Renderer::create(context(std::get<Shaders>(GetParam()))));
@@ -102,11 +102,11 @@ TEST_P(PrepareBy, RecordingMakesNoPipelineAnyMore) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, PrepareBy,
                          testing::Combine(testing::Values(Shaders::Frozen, Shaders::Specialized),
-                                          testing::Values(Way{"OnThisThread", {}}, Way{"OnThreads", onThreads},
-                                                          Way{"TwiceOnThreads", twice})),
+                                          testing::Values(LoopCase{"OnThisThread", {}}, LoopCase{"OnThreads", onThreads},
+                                                          LoopCase{"TwiceOnThreads", twice})),
                          [](const auto& test) {
                              const bool frozen = std::get<Shaders>(test.param) == Shaders::Frozen;
-                             return std::string(frozen ? "Frozen" : "Specialized") + std::get<Way>(test.param).name;
+                             return std::string(frozen ? "Frozen" : "Specialized") + std::get<LoopCase>(test.param).name;
                          });
 
 TEST_F(Prepare, MakesOnlyWhatIsNeeded) {

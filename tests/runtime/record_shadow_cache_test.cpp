@@ -66,7 +66,7 @@ protected:
 TEST_F(RecordShadowCache, OccludersLeftOutLeaveNoMark) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    const auto vector = [&](double most) { return glm::dvec3(unit(random), unit(random), unit(random)) * most; };
+    const auto vector = [&](double max) { return glm::dvec3(unit(random), unit(random), unit(random)) * max; };
     int left = 0, drawn = 0;
     for (int round = 0; round < 300; ++round) {
         const glm::dmat4 lightFromMesh =

@@ -22,16 +22,16 @@ ReferenceImage render(const ReferenceScene& scene, double accuracy = 1e-9, unsig
 }
 
 double brightest(const ReferenceImage& image) {
-    double most = 0.0;
-    for (const glm::dvec3& pixel : image.radiance) most = std::max({most, pixel.r, pixel.g, pixel.b});
-    return most;
+    double max = 0.0;
+    for (const glm::dvec3& pixel : image.radiance) max = std::max({max, pixel.r, pixel.g, pixel.b});
+    return max;
 }
 
 double largestDifference(const ReferenceImage& a, const ReferenceImage& b) {
-    double most = 0.0;
+    double max = 0.0;
     for (std::size_t i = 0; i < a.radiance.size(); ++i)
-        for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(a.radiance[i][c] - b.radiance[i][c]));
-    return most;
+        for (int c = 0; c < 3; ++c) max = std::max(max, std::abs(a.radiance[i][c] - b.radiance[i][c]));
+    return max;
 }
 
 class LawsTest : public testing::TestWithParam<Mode> {};

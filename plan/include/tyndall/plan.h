@@ -86,7 +86,7 @@ enum class Verdict : std::uint8_t {
     BesideView,   ///< its volume misses the sides of the view's frustum
     BehindWalls,  ///< the part of its volume that the view shows lies behind blockers that stop all its light
     BehindTiles,  ///< surfaces hide its volume, by Surroundings::depth
-    DarkCookie,   ///< its cookie is black wherever its volume is seen
+    DarkCookie,   ///< its cookie is black in all of its seen volume
     NoDust,       ///< its noise is 0 everywhere, or its gain is 0
     Absorbed,     ///< its air absorbs all light between lamp and eye
     TooFaint,     ///< see PlanOptions::displayStep
