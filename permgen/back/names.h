@@ -10,7 +10,7 @@
 namespace permgen {
 
 std::string_view scalar_name(ScalarType type);                           ///< "bool", "int", "uint", "float"
-std::string type_name(ScalarType type, std::uint32_t components);        ///< "float4", as HLSL says it
+std::string type_name(ScalarType type, std::uint32_t components);        ///< "float4", as in HLSL
 std::string_view stage_name(Stage stage);                                ///< "vertex", "pixel"
 std::string_view kind_name(ResourceKind kind);                           ///< "uniform-buffer", "combined-image-sampler"
 std::string_view dimension_name(ImageDimension dimension);               ///< "1d", "2d", "3d", "cube"; empty for None

@@ -183,7 +183,7 @@ std::uint32_t Reader::struct_size(std::uint32_t type) const {
 }
 
 void Reader::add_block(const SpirvModule::Variable& variable, std::uint32_t type, Reflection& out) const {
-    // A cbuffer's instance has no name of its own; its type carries the author's.
+    // A cbuffer's instance has no name; its type has the author's.
     ReflectedResource block;
     block.name = name(variable.id).empty() ? name(type) : name(variable.id);
     block.kind = ResourceKind::UniformBuffer;

@@ -30,9 +30,9 @@ struct WorkerResult {
     std::string reply;
 };
 
-/// Runs task(0) … task(count - 1), each in a child of its own, at most `jobs` at a time, and returns their
-/// results in the order of the tasks. Changes that a task makes in memory stay in its child; its output is dropped. All
-/// children have ended when this returns. Other threads of the calling process must not hold locks that a task needs.
+/// Runs task(0) … task(count - 1), each in its own child, at most `jobs` at a time, and returns their results in the
+/// order of the tasks. Changes that a task makes in memory stay in its child; its output is dropped. All children have
+/// ended when this returns. Other threads of the calling process must not hold locks that a task needs.
 std::vector<WorkerResult> run_workers(std::size_t count, int jobs, const WorkerLimits& limits,
                                       const std::function<std::string(std::size_t)>& task);
 

@@ -13,7 +13,7 @@ namespace permgen {
 
 struct IntegerResult {
     std::optional<std::int64_t> value;
-    std::string problem;  ///< why there is no value
+    std::string problem;  ///< the reason for a missing value
     Location at;          ///< of the problem; file -1: after the last token
 };
 

@@ -32,7 +32,7 @@ struct ConsiderScratch {
     std::vector<OccluderShadow> shadows;
 };
 
-/// Fills `planned`, and `candidate` where it returns true. False: the verdict says why the light is not drawn.
+/// Fills `planned`, and `candidate` if it returns true. False: the verdict gives the reason why the light is not drawn.
 bool consider(const PlanContext& context, const Light& light, const LightSurvey& survey, PlannedLight& planned,
               Candidate& candidate, ConsiderScratch& scratch);
 

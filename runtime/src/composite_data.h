@@ -6,7 +6,7 @@
 
 namespace tyndall {
 
-/// The uniform block of composite.fx, which says what each value means.
+/// The uniform block of composite.fx, which explains each value.
 struct CompositeConstants {
     glm::vec4 tint;
     glm::vec4 texel;

@@ -1,5 +1,5 @@
 // The published constants: Jason L. Mitchell, "Light Shafts: Rendering Shadows in Participating Media", GDC 2004.
-// Look::Article draws with them. Distances are in inches there.
+// Look::Article draws with them. Their distances are in inches.
 #pragma once
 
 namespace tyndall::article {

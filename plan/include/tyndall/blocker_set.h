@@ -31,7 +31,7 @@ struct BlockerBounds {
     double area = 0.0;       ///< square metres: the sum of the triangles'
 };
 
-/// A set owns copies of what it was made from. An empty set ends no light's volume.
+/// A set owns copies of its input. An empty set does not end any light's volume.
 class BlockerSet {
 public:
     BlockerSet() = default;

@@ -10,7 +10,7 @@
 
 namespace tyndall {
 
-/// The scene's depth as drawn for the very view that is planned.
+/// The scene's depth as drawn for the view that is planned.
 struct DepthTiles {
     std::uint32_t columns = 0, rows = 0;  ///< of equal tiles over the picture; row 0 at its top
     /// Metres of view depth, row by row: the largest of all pixels that the tile overlaps. Infinite where a pixel shows
@@ -30,11 +30,11 @@ struct DepthSurvey {
 };
 
 /// Surveys `depths` as drawn with view.clipFromView: one for each of width * height pixels, rows from the top, in
-/// Vulkan's range of 0 to 1. The projection tells whether depth is reversed (1 near, 0 far) or not (0 near, 1 far).
-/// A pixel at the far end of the range, beyond it or without a number shows no surface: its tile is infinitely far.
-/// A surface counts as farther than stored, to allow for the rounding of 32-bit floats: by 1e-5 of its distance or by
-/// two steps of the stored number, whichever is more. Two steps are more for far surfaces in a buffer that is not
-/// reversed. Keeps the memory of `survey`: nothing is allocated for the next buffer of that size.
+/// Vulkan's range of 0 to 1. The projection decides whether depth is reversed (1 near, 0 far) or not (0 near, 1 far). A
+/// pixel at the far end of the range, beyond it or without a number shows no surface: its tile is infinitely far. A
+/// surface counts as farther than stored, to allow for the rounding of 32-bit floats: by 1e-5 of its distance or by two
+/// steps of the stored number, whichever is more. Two steps are more for far surfaces in a buffer that is not reversed.
+/// Keeps the memory of `survey`: nothing is allocated for the next buffer of that size.
 ///
 /// Errors: InvalidArgument where the view breaks its bounds, width or height is 0, the number of depths is not
 /// width * height, or the projection's depth depends on x or y (an oblique near plane). `survey` is then unchanged.

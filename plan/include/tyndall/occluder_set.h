@@ -34,7 +34,7 @@ struct BoundingSphere {
     double radius = 0.0;
 };
 
-/// A set owns copies of what it was made from. An empty set says that there are no occluders.
+/// A set owns copies of its input. An empty set means that there are no occluders.
 class OccluderSet {
 public:
     OccluderSet() = default;

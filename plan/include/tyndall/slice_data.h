@@ -1,5 +1,5 @@
-// What the slice shaders read, as bytes. shaders/slices.fx says what each value means;
-// src/effect_contract.cpp asserts at compile time that both agree.
+// The data that the slice shaders read, as bytes. shaders/slices.fx explains each value; src/effect_contract.cpp
+// asserts at compile time that both agree.
 #pragma once
 
 #include <cstdint>

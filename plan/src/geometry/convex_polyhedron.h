@@ -1,6 +1,6 @@
-// A convex solid that half spaces cut down. It tells which part of a light's volume is left and how far that part
-// extends. Every edge knows its two faces: if a plane crosses two edges of one face, a new edge joins the crossings.
-// Connecting the pieces needs no sorting and no tolerance.
+// A convex solid that half spaces cut down. It gives the remaining part of a light's volume and its extent. Every edge
+// knows its two faces: if a plane crosses two edges of one face, a new edge joins the crossings. Connecting the pieces
+// needs no sorting and no tolerance.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ struct ConvexPolyhedron {
     std::uint32_t faces = 0;
 };
 
-/// The solid with the topology of a cube. Bit 0, 1, 2 of a corner's number says on which of two opposite
-/// faces it lies, for three such pairs.
+/// The solid with the topology of a cube. Bits 0, 1 and 2 of a corner's number select one of two opposite faces, for
+/// three such pairs.
 ConvexPolyhedron hexahedron(const std::array<glm::dvec3, 8>& corners);
 
 /// Keeps the part with dot(n, p) + d >= 0; the normal has unit length. Returns false, and leaves the solid as it is, if

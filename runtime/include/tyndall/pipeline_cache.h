@@ -3,7 +3,7 @@
 // Drivers must check Vulkan's own header only, and some check nothing: truncated or changed bytes may crash them. Pass
 // a file's bytes through openPipelineCache() before a driver reads them:
 //
-//   const auto data = openPipelineCache(bytes, properties);  // on an error: say so, and start with an empty cache
+//   const auto data = openPipelineCache(bytes, properties);  // on an error: report it, and start with an empty cache
 //   info.initialDataSize = data->size();                     // of a VkPipelineCacheCreateInfo
 //   info.pInitialData = data->data();
 //

@@ -1,4 +1,4 @@
-// The truth that pictures are measured against: the radiance of the light shafts at each pixel's centre,
+// The reference for pictures: the radiance of the light shafts at each pixel's centre,
 //
 //   L = density / (4 pi) * integral over the ray of
 //       noise * cookie * shadow * phase * transmittance * (I / d^2 + ambient) dt,
@@ -42,7 +42,7 @@ struct Cone {
     double inner = 0.0, outer = 0.0;
 };
 
-/// Light::cookie, ::shadow and ::noise say which terms a light has; textures of the others may be empty.
+/// Light::cookie, ::shadow and ::noise select a light's terms; textures of the others may be empty.
 struct ReferenceLight {
     Light light;
     Texture cookie;            ///< linear colour, three channels or more; bilinear, clamped
