@@ -20,12 +20,12 @@ struct LitSpan {
 
 /// A shadow map with its stored depths turned back into metres along the light's axis.
 struct ShadowMap {
-    Texture stored;
+    Image stored;
     std::vector<double> reach;  ///< by texel: what lies at or before this axis distance is lit
 };
 
 /// `stored` reversed depth, as lightClipFromLight() projects it; `bias` metres.
-ShadowMap shadowMap(const Light& light, Texture stored, double bias);
+ShadowMap shadowMap(const Light& light, Image stored, double bias);
 
 /// Comparison first, bilinear filter after: the light that four texels let through. `path` is the map's.
 /// Neighbouring stretches in full light are joined. In order, without overlap.

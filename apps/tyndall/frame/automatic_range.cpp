@@ -40,14 +40,14 @@ double scattered(const Light& light, const glm::dmat4& lightFromWorld, const glm
 
 }  // namespace
 
-double automaticRange(std::span<const Light> lights, const View& view, const ShaftOptions& options) {
+double automaticRange(std::span<const Light> lights, const View& view, Look look) {
     std::vector<glm::dmat4> lightFromWorld;
     for (const Light& light : lights) lightFromWorld.push_back(glm::inverse(light.worldFromLight));
     const double farthest = farthestLit(lights, view);
     const glm::dmat4 viewFromClip = glm::inverse(view.clipFromView);
     // The article adds a constant for each of its slices, whatever its thickness.
     const double perStep =
-        options.look == Look::Article ? article::weight * article::flatDust / steps : (farthest - view.nearPlane) / steps;
+        look == Look::Article ? article::weight * article::flatDust / steps : (farthest - view.nearPlane) / steps;
     double brightest = smallest;
     for (int pixel = 0; pixel < columns * rows; ++pixel) {
         const double x = 2.0 * (pixel % columns + 0.5) / columns - 1.0;
@@ -60,10 +60,9 @@ double automaticRange(std::span<const Light> lights, const View& view, const Sha
         for (int step = 0; step < steps; ++step) {
             const double depth = view.nearPlane + (farthest - view.nearPlane) * (step + 0.5) / steps;
             const glm::dvec3 world(view.worldFromView * glm::dvec4(origin + depth * direction, 1.0));
-            for (std::size_t i = 0; i < lights.size(); ++i)
-                sum += scattered(lights[i], lightFromWorld[i], world, options.look);
+            for (std::size_t i = 0; i < lights.size(); ++i) sum += scattered(lights[i], lightFromWorld[i], world, look);
         }
-        brightest = std::max(brightest, sum * perStep * (options.look == Look::Article ? 1.0 : glm::length(direction)));
+        brightest = std::max(brightest, sum * perStep * (look == Look::Article ? 1.0 : glm::length(direction)));
     }
     return brightest;
 }

@@ -183,6 +183,14 @@ struct Plan {
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings = {});
 
+/// How one light lights the surfaces that a view shows. Slices ask more of a light than surfaces do: air that scatters
+/// nothing shows no shaft, and its lamp still lights the surfaces.
+struct SurfaceLight {
+    bool lit = false;               ///< it may light a surface in the picture
+    bool shadow = false;            ///< an occluder may stand between it and such a surface: it needs its shadow map
+    std::vector<glm::dvec4> walls;  ///< view space, keep dot(n, p) + d >= 0: no surface behind one is lit
+};
+
 /// plan() for frame after frame: keeps its working memory, and the plan's, so that once both have grown nothing is
 /// allocated any more. Not thread-safe.
 class Planner {
@@ -195,6 +203,13 @@ public:
     /// Writes the plan into `plan`, whatever it held before. Where it answers an error, `plan` is empty.
     Result<void> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                       const Surroundings& surroundings, Plan& plan);
+
+    /// Writes what the surfaces in the view need of each light into `needs`, one for each light in their order. Cookie,
+    /// noise and the air change nothing of it. `shadowMapSize`: texels a side, as PlanOptions'.
+    ///
+    /// Errors: those of plan() about lights, view and surroundings; `needs` is empty then.
+    Result<void> surfaces(std::span<const Light> lights, const View& view, std::uint32_t shadowMapSize,
+                          const Surroundings& surroundings, std::vector<SurfaceLight>& needs);
 
 private:
     struct Impl;

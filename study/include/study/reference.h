@@ -12,7 +12,7 @@
 // structs Light and View alone.
 #pragma once
 
-#include <study/texture.h>
+#include <study/image.h>
 #include <tyndall/light.h>
 #include <tyndall/result.h>
 #include <tyndall/view.h>
@@ -46,10 +46,10 @@ struct Cone {
 /// Light::cookie, ::shadow and ::noise say which terms a light has; textures of the others may be empty.
 struct ReferenceLight {
     Light light;
-    Texture cookie;            ///< linear colour, at least three channels; bilinear, clamped
+    Image cookie;            ///< linear colour, at least three channels; bilinear, clamped
     std::optional<Cone> cone;  ///< times the cookie, exactly; a renderer that bakes it into a texture has an error
-    Texture noise;             ///< red and green carry the two maps; bilinear, wrapped
-    Texture shadowMap;         ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
+    Image noise;             ///< red and green carry the two maps; bilinear, wrapped
+    Image shadowMap;         ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
                                ///< comparison comes first, then the bilinear filter, clamped
 };
 
@@ -60,7 +60,7 @@ struct ReferenceScene {
     double time = 0.0;  ///< seconds; scrolls the noise
     std::vector<ReferenceLight> lights;
     std::vector<Triangle> triangles;  ///< Ideal
-    Texture depth;                    ///< Hardware: width x height, one channel, stored depth as view.clipFromView
+    Image depth;                    ///< Hardware: width x height, one channel, stored depth as view.clipFromView
                                       ///< projects it, the far plane's value where nothing was drawn; may be empty
     double shadowBias = 0.0;          ///< Hardware: as PlanOptions::shadowBias
 };
