@@ -12,8 +12,8 @@ namespace tyndall::app {
 
 /// An estimate from above: the brightest of a coarse grid of view rays through all lights together, as if
 /// nothing threw a shadow, every cookie were white and the noise 1, scaled by the part of the frustum that
-/// the ray crosses. Air that scatters in a direction, or takes light away, counts as where it is brightest
-/// between neighbouring rays: the phase function's peak may fall between them. At least a tiny positive value.
+/// the ray crosses. Where air scatters in a direction or takes light away, the grid is refined around the
+/// brightest rays, and what may lie between its rays counts: the phase function's peak is narrow. At least a tiny positive value.
 double automaticRange(std::span<const Light> lights, const View& view, const ShaftOptions& options);
 
 }  // namespace tyndall::app
