@@ -23,7 +23,7 @@ PlanOptions optionsFor(const PlannedScene& planned, const ViewOptions& view, con
 
 void findRange(PlannedScene& planned, const ShaftOptions& shafts) {
     if (eightBits(shafts.plan.accumulation))
-        planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts.plan.look);
+        planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts.plan);
 }
 
 Surroundings surroundingsOf(const PlannedScene& planned) {
