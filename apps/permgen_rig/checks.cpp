@@ -81,7 +81,7 @@ private:
                     "{0} is not live, and yet another {0} changes {1} values, the most at pixel ({2}, {3}); compile "
                     "the "
                     "effect again, and report this should it stay",
-                    resource.name, apart.differing, apart.x, apart.y);
+                    resource.name, apart.differing, apart.at.x, apart.at.y);
             if (live && apart.differing == 0)
                 result_.notes.push_back(
                     fmt::format("{} is live, and yet nothing changes with it; choose a fixture that shows what it does",

@@ -23,9 +23,9 @@ void forEachNumber(const BlockMember& member, const std::function<void(std::size
 
 bool representable(permgen::ScalarType type, double value) {
     if (type == permgen::ScalarType::Float) return std::abs(value) <= 3.4028234e38;
-    const double least = type == permgen::ScalarType::Int ? -2147483648.0 : 0.0;
-    const double most = type == permgen::ScalarType::Int ? 2147483647.0 : 4294967295.0;
-    return value >= least && value <= most && value == std::floor(value);
+    const double minimum = type == permgen::ScalarType::Int ? -2147483648.0 : 0.0;
+    const double maximum = type == permgen::ScalarType::Int ? 2147483647.0 : 4294967295.0;
+    return value >= minimum && value <= maximum && value == std::floor(value);
 }
 
 std::uint32_t bitsOf(permgen::ScalarType type, double value) {

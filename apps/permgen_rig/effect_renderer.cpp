@@ -77,10 +77,11 @@ struct EffectRenderer::Targets {
     headless::Image depth;
 };
 
-Result<std::unique_ptr<EffectRenderer>> EffectRenderer::create(const headless::Device& device, const permgen::Effect& effect,
-                                                const Fixture& fixture) {
+Result<std::unique_ptr<EffectRenderer>> EffectRenderer::create(const headless::Device& device,
+                                                                const permgen::Effect& effect, const Fixture& fixture) {
     std::unique_ptr<EffectRenderer> renderer(new EffectRenderer(device, effect, fixture));
-    for (const auto step : {&EffectRenderer::makeBlocks, &EffectRenderer::makeTextures, &EffectRenderer::makeGeometry, &EffectRenderer::makePipelines})
+    for (const auto step : {&EffectRenderer::makeBlocks, &EffectRenderer::makeTextures, &EffectRenderer::makeGeometry,
+                            &EffectRenderer::makePipelines})
         if (auto made = (renderer.get()->*step)(); !made) return tl::unexpected(made.error());
     return renderer;
 }
@@ -186,7 +187,7 @@ Result<EffectRenderer::Targets> EffectRenderer::makeTargets(const permgen::Techn
 }
 
 Result<void> EffectRenderer::recordPass(VkCommandBuffer commands, const Targets& targets, PassPipelines& pipelines,
-                                const permgen::Pass& pass, Variation variation) {
+                                        const permgen::Pass& pass, Variation variation) {
     if (!pass.vertex.module)
         return tl::unexpected(Error{ErrorCode::InvalidArgument, "the pass has no vertex shader; give it one"});
     const std::span colours(targets.colours.data(), targetsOf(pass));
@@ -224,8 +225,9 @@ void EffectRenderer::recordDraw(VkCommandBuffer commands, const Stream& stream) 
     vkCmdDrawIndexed(commands, indexCount_, 1, 0, 0, 0);
 }
 
-Result<void> EffectRenderer::record(VkCommandBuffer commands, const Targets& targets, const permgen::Technique& technique,
-                            std::size_t passes, Shaders shaders, Variation variation) {
+Result<void> EffectRenderer::record(VkCommandBuffer commands, const Targets& targets,
+                                    const permgen::Technique& technique, std::size_t passes, Shaders shaders,
+                                    Variation variation) {
     PassPipelines& pipelines = shaders == Shaders::Frozen ? *frozen_ : *specialized_;
     for (const headless::Image& image : targets.colours)
         headless::transition(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
@@ -253,7 +255,7 @@ Result<Image> EffectRenderer::readTargets(const Targets& targets) const {
 }
 
 Result<Image> EffectRenderer::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
-                            Variation variation) {
+                                    Variation variation) {
     const auto targets = makeTargets(technique);
     if (!targets) return tl::unexpected(targets.error());
     const auto submitted = headless::submitAndWait(device_, [&](VkCommandBuffer commands) {

@@ -27,8 +27,8 @@ class EffectRenderer {
 public:
     /// Everything that can be wrong with effect and fixture is found here: the fixture has to give what the effect's
     /// techniques read. `effect` must outlive it.
-    static Result<std::unique_ptr<EffectRenderer>> create(const headless::Device& device, const permgen::Effect& effect,
-                                                   const Fixture& fixture);
+    static Result<std::unique_ptr<EffectRenderer>> create(const headless::Device& device,
+                                                           const permgen::Effect& effect, const Fixture& fixture);
 
     /// The target after the technique's first `passes` passes; further targets stand below the first. With
     /// Shaders::Specialized everything is bound that the fixture gives, whether it is live or not.

@@ -12,8 +12,8 @@
 namespace tyndall::rig {
 namespace {
 
-constexpr int longestSide = 4096;
-constexpr std::size_t mostVertices = 1u << 20;
+constexpr int maxSide = 4096;
+constexpr std::size_t maxVertices = 1u << 20;
 constexpr int deepest = 64;  // the deepest product takes 37; what is walked by recursion ends long before the stack
 
 void readNumbers(const JsonValue& value, std::size_t depth, Numbers& numbers) {
@@ -55,10 +55,10 @@ Value choose(const JsonValue& value, std::initializer_list<std::pair<std::string
     value.fail("\"{}\" is none of {}", text, known);
 }
 
-std::array<int, 2> readPair(const JsonValue& value, int most) {
+std::array<int, 2> readPair(const JsonValue& value, int maximum) {
     const auto list = value.list();
     if (list.size() != 2) value.fail("width and height are 2 numbers, not {}", list.size());
-    return {list[0].integer(1, most), list[1].integer(1, most)};
+    return {list[0].integer(1, maximum), list[1].integer(1, maximum)};
 }
 
 std::array<float, 4> readColour(const JsonValue& value) {
@@ -81,7 +81,7 @@ TextureSource readTexture(const JsonValue& value, const std::filesystem::path& f
                                                           {"gradient", Pattern::Gradient},
                                                           {"noise", Pattern::Noise}});
     if (value.has("size")) {
-        const auto size = readPair(value.at("size"), longestSide);
+        const auto size = readPair(value.at("size"), maxSide);
         made.width = size[0];
         made.height = size[1];
     }
@@ -94,7 +94,7 @@ TextureSource readTexture(const JsonValue& value, const std::filesystem::path& f
     } else if (made.pattern == Pattern::Constant) {
         value.fail("a constant texture has \"colours\": [[r, g, b, a]]");
     }
-    if (value.has("cells")) made.cells = readPair(value.at("cells"), longestSide);
+    if (value.has("cells")) made.cells = readPair(value.at("cells"), maxSide);
     if (value.has("seed")) made.seed = static_cast<std::uint32_t>(value.at("seed").integer(0, 2147483647));
     return made;
 }
@@ -118,8 +118,8 @@ ExplicitGeometry readGeometry(const JsonValue& value) {
             if (vertices.back().empty() || vertices.back().size() > 4 || vertices.back().size() != vertices[0].size())
                 row.fail("a vertex has 1 to 4 numbers here, as many as the one before it");
         }
-        if (vertices.empty() || vertices.size() > mostVertices)
-            rows.fail("there are 1 to {} vertices, not {}", mostVertices, vertices.size());
+        if (vertices.empty() || vertices.size() > maxVertices)
+            rows.fail("there are 1 to {} vertices, not {}", maxVertices, vertices.size());
         if (count != 0 && vertices.size() != count)
             rows.fail("there are {} vertices, and {} of another semantic; give each vertex both", vertices.size(),
                       count);
@@ -140,7 +140,7 @@ ExplicitGeometry readGeometry(const JsonValue& value) {
 
 void readTarget(const JsonValue& root, Fixture& fixture) {
     if (root.has("size")) {
-        const auto size = readPair(root.at("size"), longestSide);
+        const auto size = readPair(root.at("size"), maxSide);
         fixture.width = static_cast<std::uint32_t>(size[0]);
         fixture.height = static_cast<std::uint32_t>(size[1]);
     }

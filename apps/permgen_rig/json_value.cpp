@@ -20,17 +20,18 @@ bool JsonValue::boolean() const {
     return json_->get<bool>();
 }
 
-double JsonValue::number(double least, double most) const {
+double JsonValue::number(double minimum, double maximum) const {
     if (!json_->is_number()) fail("this is a number, not {}", json_->dump());
     const double value = json_->get<double>();
-    if (!(value >= least && value <= most)) fail("this is a number from {} to {}, not {}", least, most, json_->dump());
+    if (!(value >= minimum && value <= maximum))
+        fail("this is a number from {} to {}, not {}", minimum, maximum, json_->dump());
     return value;
 }
 
-int JsonValue::integer(int least, int most) const {
-    const double value = json_->is_number() ? json_->get<double>() : least - 1.0;
-    if (!(value >= least && value <= most) || value != static_cast<int>(value))
-        fail("this is a whole number from {} to {}, not {}", least, most, json_->dump());
+int JsonValue::integer(int minimum, int maximum) const {
+    const double value = json_->is_number() ? json_->get<double>() : minimum - 1.0;
+    if (!(value >= minimum && value <= maximum) || value != static_cast<int>(value))
+        fail("this is a whole number from {} to {}, not {}", minimum, maximum, json_->dump());
     return static_cast<int>(value);
 }
 

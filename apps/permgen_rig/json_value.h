@@ -35,8 +35,8 @@ public:
     std::string text() const;
     bool boolean() const;
     /// Finite, and within the bounds.
-    double number(double least = -3.4e38, double most = 3.4e38) const;
-    int integer(int least, int most) const;
+    double number(double minimum = -3.4e38, double maximum = 3.4e38) const;
+    int integer(int minimum, int maximum) const;
     std::vector<JsonValue> list() const;
     std::vector<std::pair<std::string, JsonValue>> members() const;
     bool has(std::string_view name) const;

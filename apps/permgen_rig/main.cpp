@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "checks.h"
+#include "effect_renderer.h"
 #include "fixture.h"
 #include "options.h"
 #include "effect_renderer.h"

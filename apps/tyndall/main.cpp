@@ -32,11 +32,11 @@ tyndall::Result<CommandOutput> run(const Request& request) {
 int main(int argc, char** argv) try {
     const auto request = parseCommandLine(argc, argv);
     if (!request) return fails(2, request.error().message);
-    const auto said = run(*request);
-    if (!said) return fails(1, said.error().message);
-    for (const std::string& note : said->notes) fmt::print(stderr, "tyndall: {}\n", note);
-    fmt::print("{}", said->output);
-    return said->verdict ? fails(1, *said->verdict) : 0;
+    const auto output = run(*request);
+    if (!output) return fails(1, output.error().message);
+    for (const std::string& note : output->notes) fmt::print(stderr, "tyndall: {}\n", note);
+    fmt::print("{}", output->output);
+    return output->verdict ? fails(1, *output->verdict) : 0;
 } catch (const std::bad_alloc&) {
     return fails(1, "there is not enough memory; take a smaller picture or a smaller scene");
 } catch (const std::exception& unforeseen) {

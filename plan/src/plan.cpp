@@ -129,6 +129,24 @@ Result<void> Planner::plan(std::span<const Light> lights, const View& view, cons
     return tl::unexpected(internalError(exceeded));
 }
 
+Result<void> Planner::surfaces(std::span<const Light> lights, const View& view, std::uint32_t shadowMapSize,
+                               const Surroundings& surroundings, std::vector<SurfaceLight>& needs) try {
+    PlanOptions options;
+    options.shadowMapSize = shadowMapSize;
+    if (const Result<void> checked = impl_->check(lights, view, options, surroundings); !checked) {
+        needs.clear();
+        return checked;
+    }
+    needs.resize(lights.size());
+    const PlanContext context{view, options, surroundings, viewSides(view, 1.0)};
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        surfaceLight(context, lights[i], needs[i], impl_->scratch);
+    return {};
+} catch (const CapacityExceeded& exceeded) {
+    needs.clear();
+    return tl::unexpected(internalError(exceeded));
+}
+
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings) {
     Plan result;

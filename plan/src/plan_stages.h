@@ -26,7 +26,7 @@ struct Candidate {
     double shadowBias = 0.0;  ///< metres along the light's axis
 };
 
-/// Working memory of consider().
+/// Working memory of consider() and surfaceLight().
 struct ConsiderScratch {
     WallScratch walls;
     std::vector<OccluderShadow> shadows;
@@ -35,6 +35,9 @@ struct ConsiderScratch {
 /// Fills `planned`, and `candidate` if it returns true. False: the verdict gives the reason why the light is not drawn.
 bool consider(const PlanContext& context, const Light& light, const LightSurvey& survey, PlannedLight& planned,
               Candidate& candidate, ConsiderScratch& scratch);
+
+/// The needs of the light's surfaces; see Planner::surfaces().
+void surfaceLight(const PlanContext& context, const Light& light, SurfaceLight& needed, ConsiderScratch& scratch);
 
 /// One thing that may be left out, and the maximum change from that.
 struct Omission {

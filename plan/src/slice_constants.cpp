@@ -1,5 +1,6 @@
 #include "slice_constants.h"
 
+#include <tyndall/air.h>
 #include <tyndall/article.h>
 
 #include "shape/slide.h"
@@ -61,8 +62,7 @@ glm::vec4 weightConstants(const View& view, const PlanOptions& options) {
 glm::vec4 scatteringConstants(const Light& light, const View& view, const PlanOptions& options) {
     const bool physical = options.look == Look::Physical;
     const double g = physical ? light.anisotropy : 0.0;
-    const double extinction = physical && light.albedo ? light.density / *light.albedo : 0.0;
-    return glm::dvec4(g, extinction, 1.0 - std::abs(g), view.orthographic ? 1.0 : 0.0);
+    return glm::dvec4(g, physical ? extinction(light) : 0.0, 1.0 - std::abs(g), view.orthographic ? 1.0 : 0.0);
 }
 
 glm::vec4 eyeConstants(const View& view, const LightPose& pose) {

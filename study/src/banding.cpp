@@ -55,7 +55,7 @@ int searchLine(Banding& best, const Line& line, double threshold, double dark) {
 
 }  // namespace
 
-Banding findBanding(const FloatImage& image, const FloatImage& reference, double threshold, double dark) {
+Banding findBanding(const Image& image, const Image& reference, double threshold, double dark) {
     Banding best;
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t rowStride = static_cast<std::size_t>(image.width) * channels;
@@ -69,7 +69,7 @@ Banding findBanding(const FloatImage& image, const FloatImage& reference, double
                                              threshold, dark);
                 if (found < 0) continue;
                 best.alongRow = alongRow;
-                best.start = alongRow ? Place{found, line, channel} : Place{line, found, channel};
+                best.start = alongRow ? PixelIndex{found, line, channel} : PixelIndex{line, found, channel};
             }
     };
     search(true, image.height, image.width);

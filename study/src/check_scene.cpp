@@ -30,7 +30,7 @@ bool rigid(const glm::dmat4& pose) {
     return finite(pose) && maxOff <= 1e-6 && glm::determinant(r) > 0.0;
 }
 
-Checked checkTexture(const std::string& place, const Texture& texture, int channels) {
+Checked checkTexture(const std::string& place, const Image& texture, int channels) {
     if (texture.width < 1 || texture.height < 1)
         return broken("{} is {}x{} texels: it must have some; give the light its texture, or turn the term off", place,
                       texture.width, texture.height);
@@ -38,20 +38,20 @@ Checked checkTexture(const std::string& place, const Texture& texture, int chann
         return broken("{} has {} channels: it must have at least {}; add the missing ones", place, texture.channels,
                       channels);
     const std::size_t expected = static_cast<std::size_t>(texture.width) * texture.height * texture.channels;
-    if (texture.texels.size() != expected)
+    if (texture.values.size() != expected)
         return broken("{} holds {} values: {}x{} texels of {} channels take {}; give it all of them", place,
-                      texture.texels.size(), texture.width, texture.height, texture.channels, expected);
+                      texture.values.size(), texture.width, texture.height, texture.channels, expected);
     for (std::size_t i = 0; i < expected; ++i)
-        if (!(std::isfinite(texture.texels[i]) && texture.texels[i] >= 0.0f))
+        if (!(std::isfinite(texture.values[i]) && texture.values[i] >= 0.0f))
             return broken("{} holds {} at value {}: it must be finite and not negative; mend the image", place,
-                          texture.texels[i], i);
+                          texture.values[i], i);
     return {};
 }
 
 // Texels of noise across the light's field of view: each is a breakpoint of every ray that crosses it.
 constexpr double maxNoiseTexels = 1e5;
 
-Checked checkNoise(const std::string& place, const Noise& noise, const Texture& texture, double time) {
+Checked checkNoise(const std::string& place, const Noise& noise, const Image& texture, double time) {
     for (const double number :
          {noise.gain, noise.scroll1.x * time, noise.scroll1.y * time, noise.scroll2.x * time, noise.scroll2.y * time})
         if (!std::isfinite(number))
@@ -131,7 +131,7 @@ Checked checkScene(const ReferenceScene& scene, const ReferenceOptions& options)
     if (!(view.nearPlane > 0.0 && view.farPlane > view.nearPlane))
         return broken("the view: its planes at {} and {} m must be 0 < near < far; correct them", view.nearPlane,
                       view.farPlane);
-    if (!scene.depth.texels.empty()) {
+    if (!scene.depth.values.empty()) {
         if (auto checked = checkTexture("the scene's depth", scene.depth, 1); !checked) return checked;
         if (scene.depth.width != scene.width || scene.depth.height != scene.height || scene.depth.channels != 1)
             return broken("the scene's depth of {}x{} must be of the picture's size, {}x{}, and of one channel",

@@ -57,7 +57,7 @@ struct ProjectedCoordinate {
     double crossing(double k) const { return (n0 - k * c0) / (k * c1 - n1); }
 };
 
-/// Image coordinates of a texture that the light projects: u from 0 at light-space -X to 1, v from 0 at +Y.
+/// Texture coordinates of a texture that the light projects: u from 0 at light-space -X to 1, v from 0 at +Y.
 struct Projected {
     ProjectedCoordinate u, v;
 };

@@ -11,7 +11,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double darkShare = 0.01;
 
-Place placeOf(const FloatImage& image, std::size_t index) {
+PixelIndex placeOf(const Image& image, std::size_t index) {
     const std::size_t pixel = index / image.channels;
     return {static_cast<int>(pixel % image.width), static_cast<int>(pixel / image.width),
             static_cast<int>(index % image.channels)};
@@ -21,7 +21,7 @@ tl::unexpected<Error> broken(std::string sentence) {
     return tl::unexpected(Error{ErrorCode::InvalidArgument, std::move(sentence)});
 }
 
-Result<void> check(const FloatImage& image, const char* what) {
+Result<void> check(const Image& image, const char* what) {
     const auto problem = [what](const std::string& text) { return broken(std::string(what) + " " + text); };
     if (image.width < 1 || image.height < 1 || image.channels < 1) return problem("has no pixels");
     const std::size_t values = static_cast<std::size_t>(image.width) * image.height * image.channels;
@@ -31,10 +31,10 @@ Result<void> check(const FloatImage& image, const char* what) {
     return {};
 }
 
-Result<void> checkAlike(const FloatImage& image, const FloatImage& reference) {
+Result<void> checkAlike(const Image& image, const Image& reference) {
     if (auto checked = check(image, "the image"); !checked) return checked;
     if (auto checked = check(reference, "the reference"); !checked) return checked;
-    const auto size = [](const FloatImage& of) { return std::to_string(of.width) + "x" + std::to_string(of.height); };
+    const auto size = [](const Image& of) { return std::to_string(of.width) + "x" + std::to_string(of.height); };
     if (image.width != reference.width || image.height != reference.height)
         return broken("the image is " + size(image) + " pixels and the reference " + size(reference) +
                               "; make them in one size");
@@ -45,7 +45,7 @@ Result<void> checkAlike(const FloatImage& image, const FloatImage& reference) {
 }
 
 template <class Visit>
-void forEachFinitePair(const FloatImage& image, const FloatImage& reference, Visit&& visit) {
+void forEachFinitePair(const Image& image, const Image& reference, Visit&& visit) {
     for (std::size_t k = 0; k < image.values.size(); ++k)
         if (std::isfinite(image.values[k]) && std::isfinite(reference.values[k]))
             visit(k, static_cast<double>(image.values[k]), static_cast<double>(reference.values[k]));
@@ -57,7 +57,7 @@ double ratio(double part, double whole) {
     return part == 0.0 ? 0.0 : std::copysign(infinity, part);
 }
 
-double relativeMeanSquare(const FloatImage& image, const FloatImage& reference, double dark, std::uint64_t compared) {
+double relativeMeanSquare(const Image& image, const Image& reference, double dark, std::uint64_t compared) {
     ExactSum sum;
     forEachFinitePair(image, reference,
                       [&](std::size_t, double i, double r) { sum.add((i - r) * (i - r) / (r * r + dark * dark)); });
@@ -66,7 +66,7 @@ double relativeMeanSquare(const FloatImage& image, const FloatImage& reference, 
 
 }  // namespace
 
-NonFinite countNonFinite(const FloatImage& image) {
+NonFinite countNonFinite(const Image& image) {
     NonFinite found;
     for (std::size_t k = 0; k < image.values.size(); ++k) {
         const float value = image.values[k];
@@ -77,7 +77,7 @@ NonFinite countNonFinite(const FloatImage& image) {
     return found;
 }
 
-Result<Metrics> compare(const FloatImage& image, const FloatImage& reference,
+Result<Metrics> compare(const Image& image, const Image& reference,
                                            const MetricOptions& options) {
     if (auto checked = checkAlike(image, reference); !checked) return tl::unexpected(checked.error());
     Metrics metrics;

@@ -22,7 +22,7 @@ double unit(std::mt19937_64& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-double texel(const Texture& texture, double i, double j, int channel, bool wrap) {
+double texel(const Image& texture, double i, double j, int channel, bool wrap) {
     const auto place = [wrap](double k, int size) {
         if (wrap) return static_cast<int>(k - size * std::floor(k / size));
         return static_cast<int>(std::clamp(k, 0.0, size - 1.0));
@@ -32,14 +32,14 @@ double texel(const Texture& texture, double i, double j, int channel, bool wrap)
 
 // Any function of the four texels around u, v, weighted bilinearly.
 template <class F>
-double bilinear(const Texture& texture, double u, double v, const F& value) {
+double bilinear(const Image& texture, double u, double v, const F& value) {
     const double x = u * texture.width - 0.5, y = v * texture.height - 0.5;
     const double i = std::floor(x), j = std::floor(y), fx = x - i, fy = y - j;
     return (value(i, j) * (1.0 - fx) + value(i + 1.0, j) * fx) * (1.0 - fy) +
            (value(i, j + 1.0) * (1.0 - fx) + value(i + 1.0, j + 1.0) * fx) * fy;
 }
 
-double sample(const Texture& texture, double u, double v, int channel, bool wrap) {
+double sample(const Image& texture, double u, double v, int channel, bool wrap) {
     return bilinear(texture, u, v, [&](double i, double j) { return texel(texture, i, j, channel, wrap); });
 }
 
@@ -132,7 +132,7 @@ Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int sampl
     double end = scene.view.farPlane * ray.perDepth;
     if (ideal)
         end = std::min(end, surfaces.firstHit(ray, begin, end));
-    else if (!scene.depth.texels.empty())
+    else if (!scene.depth.values.empty())
         end = std::min(end, depthOf(scene.view, ray, static_cast<double>(scene.depth.at(x, y, 0))) * ray.perDepth);
 
     std::mt19937_64 random(seed);

@@ -59,7 +59,7 @@ Span visible(const PreparedScene& prepared, const ViewRay& ray, int x, int y) {
     Span span{scene.view.nearPlane * ray.perDepth, scene.view.farPlane * ray.perDepth};
     if (scene.mode == Mode::Ideal)
         span.end = std::min(span.end, prepared.surfaces.firstHit(ray, span.begin, span.end));
-    else if (!scene.depth.texels.empty())
+    else if (!scene.depth.values.empty())
         span.end =
             std::min(span.end, depthOf(scene.view, ray, static_cast<double>(scene.depth.at(x, y, 0))) * ray.perDepth);
     return span;

@@ -42,13 +42,13 @@ void appendCell(std::vector<LitSpan>& lit, const ShadowMap& map, const TexelPath
 
 }  // namespace
 
-ShadowMap shadowMap(const Light& light, Texture stored, double bias) {
+ShadowMap shadowMap(const Light& light, Image stored, double bias) {
     // stored = n (f - a) / (a (f - n)), so a = n f / (n + stored (f - n)): the far plane for an empty texel (0), which
     // hides nothing. A full texel (1) hides everything.
     const double n = light.nearPlane, f = light.farPlane;
     ShadowMap map;
-    map.maxLitAxis.reserve(stored.texels.size());
-    for (const float texel : stored.texels) {
+    map.maxLitAxis.reserve(stored.values.size());
+    for (const float texel : stored.values) {
         const double depth = static_cast<double>(texel);
         map.maxLitAxis.push_back(depth < 1.0 ? n * f / (n + depth * (f - n)) + bias
                                         : -std::numeric_limits<double>::infinity());

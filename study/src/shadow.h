@@ -20,12 +20,12 @@ struct LitSpan {
 
 /// A shadow map with its stored depths turned back into metres along the light's axis.
 struct ShadowMap {
-    Texture stored;
+    Image stored;
     std::vector<double> maxLitAxis;  ///< by texel: points up to this distance along the axis are lit
 };
 
 /// `stored` reversed depth, as lightClipFromLight() projects it; `bias` metres.
-ShadowMap shadowMap(const Light& light, Texture stored, double bias);
+ShadowMap shadowMap(const Light& light, Image stored, double bias);
 
 /// The light that four texels let through: compared first, then filtered bilinearly. `path` is the map's. Neighbouring
 /// stretches in full light are joined. In order, without overlap.

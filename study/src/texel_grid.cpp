@@ -25,17 +25,17 @@ void addCrossings(std::vector<double>& places, const ProjectedCoordinate& coordi
 
 }  // namespace
 
-TexelPath texelPath(const Texture& texture, const Projected& uv) {
+TexelPath texelPath(const Image& texture, const Projected& uv) {
     return {scaled(uv.u, texture.width, -0.5), scaled(uv.v, texture.height, -0.5)};
 }
 
-void addCrossings(std::vector<double>& places, const TexelPath& path, const Texture& texture, Address address,
+void addCrossings(std::vector<double>& places, const TexelPath& path, const Image& texture, Address address,
                   Span span) {
     addCrossings(places, path.x, texture.width, address, span);
     addCrossings(places, path.y, texture.height, address, span);
 }
 
-Cell::Cell(const Texture& texture, const TexelPath& path, Address address, double s)
+Cell::Cell(const Image& texture, const TexelPath& path, Address address, double s)
     : texture_(&texture), path_(path), left_(std::floor(path.x.at(s))), top_(std::floor(path.y.at(s))) {
     for (int i = 0; i < 2; ++i) {
         x_[i] = addressed(left_ + i, texture.width, address);

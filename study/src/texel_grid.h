@@ -1,7 +1,7 @@
 // Bilinear textures along a ray: the cells between texel centres, in which the texture is a polynomial.
 #pragma once
 
-#include <study/texture.h>
+#include <study/image.h>
 
 #include <array>
 #include <vector>
@@ -18,11 +18,11 @@ struct TexelPath {
 };
 
 /// `uv` in repeats of the texture; see ProjectedCoordinate.
-TexelPath texelPath(const Texture& texture, const Projected& uv);
+TexelPath texelPath(const Image& texture, const Projected& uv);
 
 /// Adds every position within `span` where the path crosses a line of texel centres, in no order. A clamped texture is
 /// constant beyond its first and last centre, so lines there are left out.
-void addCrossings(std::vector<double>& places, const TexelPath& path, const Texture& texture, Address address,
+void addCrossings(std::vector<double>& places, const TexelPath& path, const Image& texture, Address address,
                   Span span);
 
 /// One cell of a texture: four texels and the path's place in it. Bilinear as Vulkan defines it ("Texel
@@ -30,7 +30,7 @@ void addCrossings(std::vector<double>& places, const TexelPath& path, const Text
 class Cell {
 public:
     /// The cell that holds the path's point at `s`. `texture` must outlive it.
-    Cell(const Texture& texture, const TexelPath& path, Address address, double s);
+    Cell(const Image& texture, const TexelPath& path, Address address, double s);
 
     /// Texels at the cell's (left, top), (right, top), (left, bottom), (right, bottom).
     double corner(int i, int channel) const {
@@ -55,7 +55,7 @@ public:
     bool uniform(int channels) const;
 
 private:
-    const Texture* texture_;
+    const Image* texture_;
     TexelPath path_;
     double left_, top_;
     std::array<int, 2> x_, y_;

@@ -26,33 +26,28 @@ ViewOptions sampleView() {
     return view;
 }
 
-study::FloatImage rendered(const headless::Device& device, TermSet terms, int slices) {
+Image rendered(const headless::Device& device, TermSet terms, int slices) {
     ShaftOptions shafts;
-    shafts.terms = terms;
-    shafts.accumulation = Accumulation::Rgba32f;
-    shafts.planes = slices;
-    PlannedScene planned = must(planScene(sampleView(), shafts));
+    shafts.plan.terms = terms;
+    shafts.plan.accumulation = Accumulation::Rgba32f;
+    shafts.plan.slices = slices;
+    shafts.plan.spacing = Spacing::Even;
+    PlannedScene planned = must(prepareScene(sampleView()));
     const Frame frame =
         must(must(SceneRenderer::create(device, planned.scene)).draw(planned, sampleView(), shafts, false));
-    study::FloatImage image{width, height, 3, {}};
-    for (const glm::vec3& pixel : frame.picture.pixels)
-        for (int c = 0; c < 3; ++c) image.values.push_back(pixel[c]);
-    return image;
+    return frame.picture;
 }
 
-study::FloatImage referenceFor(const headless::Device& device, TermSet terms) {
+Image referenceFor(const headless::Device& device, TermSet terms) {
     ViewedScene viewed = must(viewScene(sampleView()));
     for (Light& light : viewed.lights) light = keepOnly(std::move(light), terms);
-    const auto scene = must(hardwareScene(device, viewed, sampleView(), ShaftOptions{}.shadowSize));
+    const auto scene = must(hardwareScene(device, viewed, sampleView(), ShaftOptions{}.plan.shadowMapSize));
     study::ReferenceOptions options;
     options.accuracy = 1e-6;
     const auto exact = study::reference(scene, options);
     if (!exact) throw std::runtime_error(exact.error().message);
     EXPECT_LE(exact->largestBound, 1e-6);
-    study::FloatImage image{width, height, 3, {}};
-    for (const glm::dvec3& pixel : exact->radiance)
-        for (int c = 0; c < 3; ++c) image.values.push_back(static_cast<float>(pixel[c]));
-    return image;
+    return radianceOf(*exact);
 }
 
 class AccuracyTest : public testing::TestWithParam<TermSet> {};
@@ -65,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(SampleScene, AccuracyTest, testing::ValuesIn(allTermSet
 TEST_P(AccuracyTest, FallsAsOneOverTheNumberOfSlices) {
     auto device = headless::Device::create({.validation = true});
     ASSERT_TRUE(device) << device.error().message;
-    const study::FloatImage exact = referenceFor(*device, GetParam());
+    const Image exact = referenceFor(*device, GetParam());
     std::vector<double> errors;
     for (const int slices : {100, 1000, 4000}) {
         const auto metrics = study::compare(rendered(*device, GetParam(), slices), exact);

@@ -15,8 +15,8 @@ namespace tyndall::test {
 namespace {
 
 /// 8 x 6 pixels of three channels, all different, exact as half floats too.
-study::FloatImage picture() {
-    study::FloatImage image{8, 6, 3, {}};
+study::Image picture() {
+    study::Image image{8, 6, 3, {}};
     for (int k = 0; k < 8 * 6 * 3; ++k) image.values.push_back(0.25f + static_cast<float>(k) / 256.0f);
     return image;
 }
@@ -43,7 +43,7 @@ TEST(Compare, APictureEqualsItself) {
 }
 
 TEST(Compare, FiguresAreTheFilesOwn) {
-    study::FloatImage image = picture();
+    study::Image image = picture();
     image.values[index(5, 4, 1)] += 2.0f;
     const auto figures = report(writeExr(image), writeExr(picture()));
     double squares = 0.0, sum = 0.0;
@@ -61,7 +61,7 @@ TEST(Compare, FiguresAreTheFilesOwn) {
 }
 
 TEST(Compare, TextNamesEveryFigure) {
-    study::FloatImage image = picture();
+    study::Image image = picture();
     for (int x = 0; x < 8; ++x) image.values[index(x, 2, 0)] = 0.0f;
     const ProgramRun run = runTyndall({"compare", writeExr(image), writeExr(picture())});
     EXPECT_EQ(run.status, 0) << run.errors;
@@ -82,7 +82,7 @@ struct Limit {
 class Limits : public testing::TestWithParam<Limit> {};
 
 TEST_P(Limits, EndWithOneAndNameFigureAndPixel) {
-    study::FloatImage image = picture();
+    study::Image image = picture();
     image.values[index(1, 3, 2)] = 0.0f;
     image.values[index(4, 5, 0)] = image.values[index(5, 5, 0)];
     const std::string path = writeExr(image), reference = writeExr(picture());
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Compare, WhatIsNoNumberFailsWithoutBeingAsked) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
         for (const bool inImage : {true, false}) {
-            study::FloatImage broken = picture();
+            study::Image broken = picture();
             broken.values[index(7, 1, 1)] = bad;
             const std::string a = writeExr(inImage ? broken : picture()), b = writeExr(inImage ? picture() : broken);
             const ProgramRun run = runTyndall({"compare", a, b});
@@ -124,14 +124,14 @@ TEST(Compare, WhatIsNoNumberFailsWithoutBeingAsked) {
             EXPECT_NE(run.errors.find("the first at G of pixel (7, 1)"), std::string::npos) << run.errors;
             EXPECT_NE(run.output.find("not finite"), std::string::npos);
         }
-    study::FloatImage broken = picture();
+    study::Image broken = picture();
     broken.values[3] = std::numeric_limits<float>::quiet_NaN();
     const std::string path = writeExr(broken);
     EXPECT_EQ(runTyndall({"compare", path, path}).status, 1) << "the same NaN in both is still none";
 }
 
 TEST(Compare, WithoutANumberInBothThereAreNoFigures) {
-    study::FloatImage none = picture(), odd = picture(), even = picture();
+    study::Image none = picture(), odd = picture(), even = picture();
     for (std::size_t k = 0; k < none.values.size(); ++k) {
         none.values[k] = std::numeric_limits<float>::quiet_NaN();
         (k % 2 == 0 ? even : odd).values[k] = std::numeric_limits<float>::infinity();
@@ -174,7 +174,7 @@ TEST(Compare, APngIsDecodedFromSrgbAndItsAlphaLeftAlone) {
 }
 
 TEST(Compare, DifferenceIsImageMinusReference) {
-    study::FloatImage image = picture();
+    study::Image image = picture();
     for (std::size_t k = 0; k < image.values.size(); k += 5) image.values[k] = 1.0f / static_cast<float>(k + 3);
     const std::string out = freshPath("difference.exr");
     report(writeExr(image), writeExr(picture()), {"--difference", out});
@@ -186,7 +186,7 @@ TEST(Compare, DifferenceIsImageMinusReference) {
 }
 
 TEST(Compare, DifferenceAsPngIsRedWhereBrighterAndBlueWhereDarker) {
-    study::FloatImage image = picture();
+    study::Image image = picture();
     image.values[index(2, 1, 0)] += 0.5f;
     image.values[index(3, 1, 2)] -= 0.25f;
     image.values[index(4, 1, 1)] = std::numeric_limits<float>::quiet_NaN();
@@ -263,7 +263,7 @@ TEST(Compare, ChannelsOfOtherNamesAreRefused) {
         refused(named, colours, "R G B");
         refused(colours, named, "the channels are R G B in the image and ");
     }
-    const study::FloatImage single{2, 1, 1, {0.5f, 0.25f}};
+    const study::Image single{2, 1, 1, {0.5f, 0.25f}};
     refused(writeExr(single, {.channels = {"Z"}}), writeExr(single, {.channels = {"R"}}),
             "the channels are Z in the image and R in the reference; rename them");
 }

@@ -40,6 +40,12 @@ struct Motion {
 
 using Shown = std::vector<glm::dvec3>;  // by pixel, in the display's range
 
+std::vector<glm::vec3> pixelsOf(const Image& image) {
+    std::vector<glm::vec3> pixels;
+    for (std::size_t i = 0; i < pixelCount(image); ++i) pixels.push_back(rgbOf(image, i));
+    return pixels;
+}
+
 template <class Pixels>
 Shown shownOf(const Pixels& pixels, double exposure) {
     Shown shown;
@@ -71,11 +77,11 @@ public:
         view_.scene = file;
         view_.size = motion.size;
         view_.layer = Layer::Shafts;
-        shafts_.accumulation = Accumulation::Rgba32f;
+        shafts_.plan.accumulation = Accumulation::Rgba32f;
         shafts_.exposure = motion.exposure;
-        shafts_.shadowSize = motion.shadowSize;
-        shafts_.mostSlices = motion.mostSlices;
-        scene_.emplace(must(planScene(view_, shafts_)));
+        shafts_.plan.shadowMapSize = motion.shadowSize;
+        shafts_.plan.slices = motion.mostSlices;
+        scene_.emplace(must(prepareScene(view_)));
     }
 
     PlannedScene& scene() { return *scene_; }
@@ -93,7 +99,7 @@ public:
         Shown before, trueBefore;
         for (int frame = 0; frame < frames; ++frame, move()) {
             const Frame drawn = must(renderer.draw(*scene_, view_, shafts_, false));
-            const Shown now = shownOf(drawn.picture.pixels, motion_.exposure), trueNow = truth();
+            const Shown now = shownOf(pixelsOf(drawn.picture), motion_.exposure), trueNow = truth();
             const int slices = static_cast<int>(drawn.statistics.shafts.slicesDrawn);
             changes.fewestSlices = std::min(changes.fewestSlices, slices);
             changes.mostSlices = std::max(changes.mostSlices, slices);
@@ -125,7 +131,7 @@ private:
     Shown truth() const {
         ViewedScene seen = *scene_;
         seen.view.sceneDepth = View{}.sceneDepth;
-        const auto hardware = must(hardwareScene(*device_, seen, view_, shafts_.shadowSize));
+        const auto hardware = must(hardwareScene(*device_, seen, view_, shafts_.plan.shadowMapSize));
         const auto exact = study::reference(hardware, {.accuracy = 1e-4, .threads = 0, .progress = {}});
         if (!exact) throw std::runtime_error(exact.error().message);
         return shownOf(exact->radiance, motion_.exposure);

@@ -8,7 +8,7 @@ namespace tyndall::test {
 
 /// Of a channel's radiance, in the display's range.
 inline double displayed(double radiance, double exposureStops) {
-    return tyndall::srgbFromLinear(static_cast<float>(tyndall::toneMap(radiance, exposureStops)));
+    return srgbFromLinear(static_cast<float>(toneMap(radiance, exposureStops)));
 }
 
 }  // namespace tyndall::test

@@ -10,7 +10,7 @@
 namespace tyndall::test {
 namespace {
 
-bool writeDeep(OIIO::ImageOutput& file, const OIIO::ImageSpec& spec, const study::FloatImage& image) {
+bool writeDeep(OIIO::ImageOutput& file, const OIIO::ImageSpec& spec, const study::Image& image) {
     OIIO::DeepData data(spec);
     for (int pixel = 0; pixel < image.width * image.height; ++pixel) {
         data.set_samples(pixel, 1);
@@ -22,7 +22,7 @@ bool writeDeep(OIIO::ImageOutput& file, const OIIO::ImageSpec& spec, const study
 
 }  // namespace
 
-std::string writeExr(const study::FloatImage& image, const ExrLayout& layout, const std::string& name) {
+std::string writeExr(const study::Image& image, const ExrLayout& layout, const std::string& name) {
     const std::string path = freshPath(name);
     auto file = OIIO::ImageOutput::create("openexr");
     OIIO::ImageSpec spec(image.width, image.height, image.channels, layout.type);

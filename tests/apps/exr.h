@@ -21,7 +21,7 @@ struct ExrLayout {
 };
 
 /// A new file with this picture.
-std::string writeExr(const study::FloatImage& image, const ExrLayout& layout = {},
+std::string writeExr(const study::Image& image, const ExrLayout& layout = {},
                      const std::string& name = "picture.exr");
 
 }  // namespace tyndall::test

@@ -47,9 +47,9 @@ TEST(LoadScene, LampWithoutExtrasTakesTheDefaults) {
 
 TEST(LoadScene, ConeFalloffIsBakedIntoTheCookie) {
     const app::Scene scene = load(wallScene());
-    const app::Image& cookie = scene.images.at(*scene.lights[0].cookie);
-    EXPECT_FLOAT_EQ(cookie.texels[cookie.width * (cookie.height / 2) + cookie.width / 2].r, 1.0f) << "centre";
-    EXPECT_EQ(cookie.texels[0].r, 0.0f) << "corner, outside the cone";
+    const Image& cookie = scene.images.at(*scene.lights[0].cookie);
+    EXPECT_FLOAT_EQ(rgbaOf(cookie, cookie.width * (cookie.height / 2) + cookie.width / 2).r, 1.0f) << "centre";
+    EXPECT_EQ(rgbaOf(cookie, 0).r, 0.0f) << "corner, outside the cone";
     // Half way between the angles: ((cos a - cos outer) / (cos inner - cos outer))^2, KHR_lights_punctual.
     const double angle = 0.275;
     const double column = (std::tan(angle) / std::tan(0.35) + 1.0) / 2.0 * cookie.width;
@@ -57,7 +57,7 @@ TEST(LoadScene, ConeFalloffIsBakedIntoTheCookie) {
     const auto texel = static_cast<std::size_t>(column);
     // A texel spans 2 tan(0.35) / 512 = 1.4e-3 in slope; the falloff's steepness there is 2 share sin(a) /
     // (cos inner - cos outer) < 7, so a texel away is within 0.01.
-    EXPECT_NEAR(cookie.texels[cookie.width * (cookie.height / 2) + texel].r, share * share, 0.01);
+    EXPECT_NEAR(rgbaOf(cookie, cookie.width * (cookie.height / 2) + texel).r, share * share, 0.01);
 }
 
 TEST(LoadScene, ExtrasSayEverythingElse) {
@@ -94,11 +94,11 @@ TEST(LoadScene, ExtrasSayEverythingElse) {
     EXPECT_EQ(lamp.light.noise->scroll1, glm::dvec2(1, 2));
     EXPECT_EQ(lamp.light.noise->scroll2, glm::dvec2(3, 4));
     EXPECT_DOUBLE_EQ(lamp.light.noise->gain, 6.0);
-    const app::Image& slide = scene.images.at(*lamp.cookie);
+    const Image& slide = scene.images.at(*lamp.cookie);
     ASSERT_EQ(slide.width, 2u) << "a frustum's cookie is the given picture";
-    EXPECT_FLOAT_EQ(slide.texels[0].r, 1.0f);
-    EXPECT_NEAR(slide.texels[1].g, 0.5029, 1e-4) << "sRGB 188 is about half as linear light";
-    EXPECT_NEAR(scene.images.at(*lamp.noise).texels[1].g, 188.0 / 255.0, 1e-6) << "noise is data, not colour";
+    EXPECT_FLOAT_EQ(rgbaOf(slide, 0).r, 1.0f);
+    EXPECT_NEAR(rgbaOf(slide, 1).g, 0.5029, 1e-4) << "sRGB 188 is about half as linear light";
+    EXPECT_NEAR(rgbaOf(scene.images.at(*lamp.noise), 1).g, 188.0 / 255.0, 1e-6) << "noise is data, not colour";
 }
 
 /// Lamps beside the wall scene's own, each with these extras.
@@ -133,8 +133,8 @@ TEST(LoadScene, ConesThatDifferInAngleOrCookieAreBakedEachForItself) {
     EXPECT_EQ(scene.slides.size(), 2u) << "what two cones each were baked into";
     for (std::size_t lamp = 1; lamp < 9; lamp += 2) EXPECT_EQ(scene.lights[lamp].cookie, scene.lights[lamp + 1].cookie);
     const auto centre = [&](std::size_t lamp) {
-        const app::Image& cookie = scene.images.at(*scene.lights[lamp].cookie);
-        return cookie.texels[cookie.width * (cookie.height / 2) + cookie.width / 2].r;
+        const Image& cookie = scene.images.at(*scene.lights[lamp].cookie);
+        return rgbaOf(cookie, cookie.width * (cookie.height / 2) + cookie.width / 2).r;
     };
     EXPECT_NEAR(centre(5), 0.5029f, 1e-4) << "sRGB 188 is about half as linear light";
     EXPECT_FLOAT_EQ(centre(7), 1.0f);

@@ -63,11 +63,12 @@ struct Difference {
     std::size_t pixel = 0;
 };
 
-Difference compare(const Picture& a, const Picture& b, double exposure) {
+Difference compare(const Image& a, const Image& b, double exposure) {
     Difference most;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (std::size_t i = 0; i < pixelCount(a); ++i)
         for (int c = 0; c < 3; ++c) {
-            const double here = std::abs(displayed(a.pixels[i][c], exposure) - displayed(b.pixels[i][c], exposure));
+            const double here =
+                std::abs(displayed(rgbOf(a, i)[c], exposure) - displayed(rgbOf(b, i)[c], exposure));
             if (!(here <= most.largest)) most = {here, i};
         }
     return most;
@@ -82,9 +83,9 @@ TEST_P(PlannedEqualsForced, FromAnywhere) {
     view.scene = std::string(TYNDALL_SCENES "/") + GetParam() + ".glb";
     view.size = size;
     ShaftOptions options;
-    options.shadowSize = 128;
-    options.accumulation = Accumulation::Rgba32f;
-    PlannedScene scene = must(planScene(view, options));
+    options.plan.shadowMapSize = 128;
+    options.plan.accumulation = Accumulation::Rgba32f;
+    PlannedScene scene = must(prepareScene(view));
     SceneRenderer plannedRenderer = must(SceneRenderer::create(*device, scene.scene));
     SceneRenderer forcedRenderer = must(SceneRenderer::create(*device, scene.scene));
     Cameras looking(scene, 3);
@@ -96,14 +97,14 @@ TEST_P(PlannedEqualsForced, FromAnywhere) {
         // The shafts alone are shown at the whole picture's exposure: over black surfaces the least of them counts.
         for (const Layer layer : {Layer::All, Layer::Shafts}) {
             view.layer = layer;
-            options.everything = false;
+            options.plan.everything = false;
             const Frame planned = must(plannedRenderer.draw(scene, view, options, false));
-            options.everything = true;
+            options.plan.everything = true;
             const Frame forced = must(forcedRenderer.draw(scene, view, options, false));
             const double exposure = options.exposure.value_or(automaticExposure(forced.picture));
             const Difference found = compare(planned.picture, forced.picture, exposure);
             const auto pixel = [&](const Frame& frame) {
-                const glm::vec3& p = frame.picture.pixels[found.pixel];
+                const glm::vec3 p = rgbOf(frame.picture, found.pixel);
                 return fmt::format("{} {} {}", p.x, p.y, p.z);
             };
             EXPECT_LE(found.largest, 1.0 / 1024.0)

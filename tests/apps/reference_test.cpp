@@ -198,10 +198,10 @@ TEST(Reference, TheHardwareModeHoldsWhatTheRendererDrewAndDrawsItWithoutAMessage
     EXPECT_EQ(device->messages(), std::vector<std::string>{});
     // Reversed depth of a wall 5 m away: from a near plane at 0.1 m to infinity 0.1 / 5; from the lamp's planes at
     // n = 1 and f = 10 m (n f / 5 - n) / (f - n). Both are rounded to floats by the rasterizer's interpolation.
-    ASSERT_EQ(scene->depth.texels.size(), static_cast<std::size_t>(side * side));
-    for (const float stored : scene->depth.texels) EXPECT_NEAR(stored, 0.1 / 5.0, 1e-8);
-    ASSERT_EQ(scene->lights[0].shadowMap.texels.size(), 32u * 32u);
-    for (const float stored : scene->lights[0].shadowMap.texels) EXPECT_NEAR(stored, (10.0 / 5.0 - 1.0) / 9.0, 1e-7);
+    ASSERT_EQ(scene->depth.values.size(), static_cast<std::size_t>(side * side));
+    for (const float stored : scene->depth.values) EXPECT_NEAR(stored, 0.1 / 5.0, 1e-8);
+    ASSERT_EQ(scene->lights[0].shadowMap.values.size(), 32u * 32u);
+    for (const float stored : scene->lights[0].shadowMap.values) EXPECT_NEAR(stored, (10.0 / 5.0 - 1.0) / 9.0, 1e-7);
     EXPECT_TRUE(scene->triangles.empty());
 }
 

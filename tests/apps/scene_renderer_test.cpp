@@ -21,12 +21,12 @@ protected:
     void SetUp() override {
         view.scene = TYNDALL_SCENES "/stage.glb";
         view.size = {64, 36};
-        shafts.shadowSize = 64;
+        shafts.plan.shadowMapSize = 64;
         shafts.exposure = 0.0;
         auto made = headless::Device::create({.validation = true});
         ASSERT_TRUE(made) << made.error().message;
         device.emplace(std::move(*made));
-        planned.emplace(must(planScene(view, shafts)));
+        planned.emplace(must(prepareScene(view)));
     }
 
     void TearDown() override {
@@ -39,13 +39,13 @@ protected:
 
     /// As drawn by a renderer that knows nothing of earlier frames, of a scene whose facts are read off anew.
     void expectAsFresh(const Frame& frame) {
-        PlannedScene anew = must(planScene(view, shafts));
+        PlannedScene anew = must(prepareScene(view));
         anew.scene.instances = planned->scene.instances;
         anew.facts = must(surveyScene(anew.scene));
         anew.lights = planned->lights;
         anew.view = planned->view;
         SceneRenderer fresh = must(SceneRenderer::create(*device, anew.scene));
-        EXPECT_TRUE(must(fresh.draw(anew, view, shafts, false)).picture.pixels == frame.picture.pixels)
+        EXPECT_TRUE(must(fresh.draw(anew, view, shafts, false)).picture.values == frame.picture.values)
             << "bit for bit";
         const auto fromAnew = anew.facts.blockers.blockers(), followed = planned->facts.blockers.blockers();
         ASSERT_EQ(fromAnew.size(), followed.size());
@@ -59,7 +59,7 @@ protected:
     }
 
     std::size_t mapsCalledFor() const {
-        return static_cast<std::size_t>(std::ranges::count_if(planned->surfaceLights, &SurfaceLight::shadowMap));
+        return static_cast<std::size_t>(std::ranges::count_if(planned->surfaceLights, &SurfaceLight::shadow));
     }
 
     std::optional<headless::Device> device;
@@ -93,9 +93,9 @@ TEST_F(SceneRendererTest, AnUnchangedSceneIsDrawnAgainFromWhatIsThere) {
     EXPECT_EQ(second.statistics.shafts.slicesDrawn, first.statistics.shafts.slicesDrawn);
     EXPECT_EQ(second.statistics.shafts.bytesUploaded, first.statistics.shafts.bytesUploaded);
     EXPECT_EQ(second.statistics.surfaceDraws, first.statistics.surfaceDraws);
-    EXPECT_TRUE(second.picture.pixels == first.picture.pixels) << "bit for bit";
+    EXPECT_TRUE(second.picture.values == first.picture.values) << "bit for bit";
     planned->view.sceneDepth = 0.5;  // as a frame close to a wall leaves it
-    EXPECT_TRUE(draw(kept).picture.pixels == first.picture.pixels) << "bit for bit";
+    EXPECT_TRUE(draw(kept).picture.values == first.picture.values) << "bit for bit";
 }
 
 TEST_F(SceneRendererTest, WhatIsOutOfViewCostsNothingAndIsThereWhenTheEyeComesBack) {
@@ -114,7 +114,7 @@ TEST_F(SceneRendererTest, WhatIsOutOfViewCostsNothingAndIsThereWhenTheEyeComesBa
     const Frame back = draw(kept);
     expectNothingNew(back.statistics);
     EXPECT_EQ(device->memoryAllocated(), held);
-    EXPECT_TRUE(back.picture.pixels == first.picture.pixels) << "bit for bit";
+    EXPECT_TRUE(back.picture.values == first.picture.values) << "bit for bit";
 }
 
 TEST_F(SceneRendererTest, OnlyTheMapsAMovedOccluderCanMarkAreDrawnAgain) {
@@ -129,7 +129,7 @@ TEST_F(SceneRendererTest, OnlyTheMapsAMovedOccluderCanMarkAreDrawnAgain) {
         std::size_t marked = 0;
         for (std::size_t light = 0; light < planned->lights.size(); ++light) {
             const auto among = [&](const std::vector<std::size_t>& all) { return std::ranges::count(all, i) > 0; };
-            if (planned->surfaceLights[light].shadowMap &&
+            if (planned->surfaceLights[light].shadow &&
                 (among(before[light]) || among(planned->instancesInLight[light])))
                 ++marked;
         }
@@ -146,7 +146,7 @@ TEST_F(SceneRendererTest, OnlyTheMapsAMovedOccluderCanMarkAreDrawnAgain) {
 TEST_F(SceneRendererTest, AMovedLightRedrawsItsOwnMap) {
     SceneRenderer kept = renderer();
     draw(kept);
-    const auto lit = std::ranges::find_if(planned->surfaceLights, &SurfaceLight::shadowMap);
+    const auto lit = std::ranges::find_if(planned->surfaceLights, &SurfaceLight::shadow);
     ASSERT_NE(lit, planned->surfaceLights.end());
     Light& light = planned->lights[static_cast<std::size_t>(lit - planned->surfaceLights.begin())];
     light.worldFromLight = glm::rotate(light.worldFromLight, 0.02, {1.0, 0.0, 0.0});
@@ -159,7 +159,7 @@ TEST_F(SceneRendererTest, AnotherSizeOfPictureAndMaps) {
     SceneRenderer kept = renderer();
     draw(kept);
     view.size = {48, 48};
-    shafts.shadowSize = 32;
+    shafts.plan.shadowMapSize = 32;
     planned->view = viewFrom(*planned->camera, view.size);
     const Frame other = draw(kept);
     EXPECT_EQ(other.picture.width, 48u);
@@ -174,7 +174,7 @@ TEST_F(SceneRendererTest, FewerMapsThanLightsThatEverCalledForOne) {
     // and those that were given away are called for again.
     planned->view = perspectiveView(planned->view.worldFromView, 0.3, 16.0 / 9.0, 0.1, 1000.0);
     std::vector<bool> called(planned->lights.size());
-    std::vector<Picture> firstRound;
+    std::vector<Image> firstRound;
     std::size_t most = 0;
     for (int step = 0; step < 24; ++step) {
         planned->view.worldFromView = glm::rotate(
@@ -189,14 +189,14 @@ TEST_F(SceneRendererTest, FewerMapsThanLightsThatEverCalledForOne) {
             }
         most = std::max(most, now);
         if (step < 12) firstRound.push_back(frame.picture);
-        EXPECT_TRUE(frame.picture.pixels == firstRound[static_cast<std::size_t>(step % 12)].pixels) << "step " << step;
+        EXPECT_TRUE(frame.picture.values == firstRound[static_cast<std::size_t>(step % 12)].values) << "step " << step;
     }
     EXPECT_EQ(kept.shadowMaps().count(), most);
     EXPECT_LT(most, static_cast<std::size_t>(std::ranges::count(called, true))) << "else this says nothing";
 }
 
 TEST_F(SceneRendererTest, ForcedPaysForEverything) {
-    shafts.everything = true;
+    shafts.plan.everything = true;
     view.layer = Layer::Shafts;
     turnAway();
     SceneRenderer all = renderer();

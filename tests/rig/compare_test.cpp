@@ -26,12 +26,12 @@ TEST(Compare, NanAndInfinityAreCountedApartWithTheFirstPlace) {
     image.at(1, 1, 1) = nan;
     image.at(2, 1, 0) = -infinity;
     image.at(2, 1, 1) = nan;
-    const NotFinite found = notFinite(image);
+    const study::NonFinite found = study::countNonFinite(image);
     EXPECT_EQ(found.nan, 2u);
     EXPECT_EQ(found.infinite, 1u);
-    EXPECT_EQ(found.x, 1);
-    EXPECT_EQ(found.y, 1);
-    EXPECT_EQ(found.channel, 1);
+    EXPECT_EQ(found.first->x, 1);
+    EXPECT_EQ(found.first->y, 1);
+    EXPECT_EQ(found.first->channel, 1);
     EXPECT_EQ(whyNotFinite(image), "2 values are NaN and 1 are infinite, the first at (1, 1), channel 1");
 }
 
@@ -115,8 +115,8 @@ TEST(Compare, FiguresOfADifference) {
     image.values = {3.0f, 4.5f, 0.0f, 2.0f};
     const Difference apart = difference(image, expected);
     EXPECT_DOUBLE_EQ(apart.largest, 0.5);
-    EXPECT_EQ(apart.x, 1);
-    EXPECT_EQ(apart.y, 0);
+    EXPECT_EQ(apart.at.x, 1);
+    EXPECT_EQ(apart.at.y, 0);
     EXPECT_DOUBLE_EQ(apart.relativeL2, 0.1);  // 0.5 / sqrt(9 + 16)
     EXPECT_EQ(apart.differing, 2u);           // NaN counts here, and is left out of the figures
     EXPECT_EQ(difference(expected, expected).relativeL2, 0.0);

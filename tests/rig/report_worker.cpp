@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 int main(int argc, char** argv) {
+    using namespace tyndall;
     using namespace tyndall::rig;
     if (argc != 4) return 2;
     Image image = blankImage(8, 6, 4);

@@ -178,13 +178,13 @@ TEST(ClosedForm, ShadowMapFiltersWhatItCompares) {
     light.shadow = true;
     light.fov.x = 1.5707963267948966;  // u = 0.5 + x / (2 axis)
     const double blockedAt = 1.5;
-    study::Texture map{8, 8, 1, std::vector<float>(64, 0.0f)};
+    study::Image map{8, 8, 1, std::vector<float>(64, 0.0f)};
     const double stored =
         light.nearPlane * (light.farPlane - blockedAt) / (blockedAt * (light.farPlane - light.nearPlane));
     for (int y = 0; y < 8; ++y)
-        for (int x = 4; x < 8; ++x) map.texels[8 * y + x] = static_cast<float>(stored);
+        for (int x = 4; x < 8; ++x) map.values[8 * y + x] = static_cast<float>(stored);
     const double reach = light.nearPlane * light.farPlane /
-                         (light.nearPlane + static_cast<double>(map.texels[4]) * (light.farPlane - light.nearPlane));
+                         (light.nearPlane + static_cast<double>(map.values[4]) * (light.farPlane - light.nearPlane));
     for (const double u : {0.30, 0.44, 0.5, 0.53, 0.56, 0.7})
         for (const double bias : {0.0, 0.02}) {
             // From above, down through the axis, within the plane x = (2 u - 1) axis.

@@ -14,22 +14,22 @@ namespace {
 constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-FloatImage row(std::vector<float> values) {
+Image row(std::vector<float> values) {
     const int width = static_cast<int>(values.size());
     return {width, 1, 1, std::move(values)};
 }
 
-Metrics measured(const FloatImage& image, const FloatImage& reference) {
+Metrics measured(const Image& image, const Image& reference) {
     const auto metrics = compare(image, reference);
     EXPECT_TRUE(metrics) << (metrics ? "" : metrics.error().message);
     return metrics ? *metrics : Metrics{};
 }
 
 /// Values over many orders of magnitude, a tenth of them 0.
-FloatImage random(int width, int height, int channels, unsigned seed) {
+Image random(int width, int height, int channels, unsigned seed) {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<float> exponent(-20.0f, 10.0f), chance(0.0f, 1.0f);
-    FloatImage image{width, height, channels, {}};
+    Image image{width, height, channels, {}};
     for (int k = 0; k < width * height * channels; ++k)
         image.values.push_back(chance(generator) < 0.1f ? 0.0f : std::exp2(exponent(generator)));
     return image;
@@ -49,7 +49,7 @@ TEST(Metrics, ClosedFormOfTwoPixels) {
 }
 
 TEST(Metrics, APictureIsItself) {
-    const FloatImage picture = random(17, 9, 3, 1);
+    const Image picture = random(17, 9, 3, 1);
     const Metrics m = measured(picture, picture);
     EXPECT_EQ(m.relativeL2, 0.0);
     EXPECT_EQ(m.relativeMeanSquare, 0.0);
@@ -63,7 +63,7 @@ TEST(Metrics, APictureIsItself) {
 }
 
 TEST(Metrics, TheWorstValueIsNamedWithItsChannel) {
-    FloatImage reference = random(7, 5, 3, 2), image = reference;
+    Image reference = random(7, 5, 3, 2), image = reference;
     image.values[(3 * 7 + 4) * 3 + 2] += 5000.0f;
     const Metrics m = measured(image, reference);
     EXPECT_EQ(m.worst.place.x, 4);
@@ -75,8 +75,8 @@ TEST(Metrics, TheWorstValueIsNamedWithItsChannel) {
 }
 
 TEST(Metrics, ScalingBothByAPowerOfTwoScalesOnlyWhatHasAUnit) {
-    const FloatImage image = random(16, 8, 3, 3), reference = random(16, 8, 3, 4);
-    FloatImage smallImage = image, smallReference = reference;
+    const Image image = random(16, 8, 3, 3), reference = random(16, 8, 3, 4);
+    Image smallImage = image, smallReference = reference;
     const float scale = std::exp2(-12.0f);
     for (float& value : smallImage.values) value *= scale;
     for (float& value : smallReference.values) value *= scale;
@@ -91,8 +91,8 @@ TEST(Metrics, ScalingBothByAPowerOfTwoScalesOnlyWhatHasAUnit) {
 }
 
 TEST(Metrics, BrighterByAShareIsThatShare) {
-    const FloatImage reference = random(16, 8, 3, 5);
-    FloatImage image = reference;
+    const Image reference = random(16, 8, 3, 5);
+    Image image = reference;
     for (float& value : image.values) value *= 1.25f;
     const Metrics m = measured(image, reference);
     // 1.25 r is rounded to 24 bits, so each term is within 2^-24 * 1.25 / 0.25 = 3e-7 of its share.
@@ -103,7 +103,7 @@ TEST(Metrics, BrighterByAShareIsThatShare) {
 }
 
 TEST(Metrics, ExchangingThePicturesTurnsTheSignAndKeepsTheMaximum) {
-    const FloatImage a = random(16, 8, 3, 6), b = random(16, 8, 3, 7);
+    const Image a = random(16, 8, 3, 6), b = random(16, 8, 3, 7);
     const Metrics ab = measured(a, b), ba = measured(b, a);
     EXPECT_EQ(ab.meanDifference, -ba.meanDifference);
     EXPECT_EQ(ab.maximumAbsolute, ba.maximumAbsolute);
@@ -112,14 +112,14 @@ TEST(Metrics, ExchangingThePicturesTurnsTheSignAndKeepsTheMaximum) {
 }
 
 TEST(Metrics, DoNotDependOnTheOrderOfThePixels) {
-    FloatImage image = random(32, 32, 1, 8), reference = random(32, 32, 1, 9);
+    Image image = random(32, 32, 1, 8), reference = random(32, 32, 1, 9);
     const Metrics before = measured(image, reference);
     std::vector<std::size_t> order(image.values.size());
     std::iota(order.begin(), order.end(), 0u);
     std::mt19937 generator(10);
     for (int shuffle = 0; shuffle < 8; ++shuffle) {
         std::ranges::shuffle(order, generator);
-        FloatImage shuffledImage = image, shuffledReference = reference;
+        Image shuffledImage = image, shuffledReference = reference;
         for (std::size_t k = 0; k < order.size(); ++k) {
             shuffledImage.values[k] = image.values[order[k]];
             shuffledReference.values[k] = reference.values[order[k]];
@@ -139,7 +139,7 @@ TEST(Metrics, SmallTermsSurviveLargeOnesThatCancel) {
 }
 
 TEST(Metrics, AShiftByOnePixelIsTheSlope) {
-    FloatImage reference{64, 4, 1, {}}, image = reference;
+    Image reference{64, 4, 1, {}}, image = reference;
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 64; ++x) {
             reference.values.push_back(static_cast<float>(x + 1) / 64.0f);
@@ -187,9 +187,9 @@ TEST(Metrics, WhatIsNoNumberIsCountedApartAndLeftOut) {
 }
 
 TEST(Metrics, OneBadPixelIsFoundAmongMany) {
-    const FloatImage reference = random(640, 360, 3, 11);
+    const Image reference = random(640, 360, 3, 11);
     for (const std::size_t at : {std::size_t{0}, std::size_t{345678}, reference.values.size() - 1}) {
-        FloatImage image = reference;
+        Image image = reference;
         image.values[at] = notANumber;
         const Metrics m = measured(image, reference);
         EXPECT_EQ(m.image.count(), 1u);
@@ -198,9 +198,9 @@ TEST(Metrics, OneBadPixelIsFoundAmongMany) {
 }
 
 TEST(Metrics, DifferentPicturesAreRefused) {
-    const FloatImage wide{3, 2, 1, std::vector<float>(6)}, tall{2, 3, 1, std::vector<float>(6)};
-    const FloatImage grey{2, 2, 1, std::vector<float>(4)}, colour{2, 2, 3, std::vector<float>(12)};
-    const FloatImage short_{2, 2, 1, std::vector<float>(3)}, empty{0, 2, 1, {}};
+    const Image wide{3, 2, 1, std::vector<float>(6)}, tall{2, 3, 1, std::vector<float>(6)};
+    const Image grey{2, 2, 1, std::vector<float>(4)}, colour{2, 2, 3, std::vector<float>(12)};
+    const Image short_{2, 2, 1, std::vector<float>(3)}, empty{0, 2, 1, {}};
     EXPECT_NE(compare(wide, tall).error().message.find("3x2 pixels and the reference 2x3"), std::string::npos);
     EXPECT_NE(compare(grey, colour).error().message.find("1 channels and the reference 3"), std::string::npos);
     EXPECT_NE(compare(grey, short_).error().message.find("the reference holds 3 values"), std::string::npos);

@@ -198,7 +198,7 @@ TEST(Reference, SaysWhatIsWrong) {
     EXPECT_EQ(message([](ReferenceScene&, Options&) {}), "");
     EXPECT_NE(message([](ReferenceScene& s, Options&) { s.width = 0; }).find("0x7 pixels"), std::string::npos);
     EXPECT_NE(message([](ReferenceScene&, Options& o) { o.accuracy = 0.0; }).find("1e-12"), std::string::npos);
-    EXPECT_NE(message([](ReferenceScene& s, Options&) { s.lights[0].shadowMap.texels.pop_back(); }).find("shadow map"),
+    EXPECT_NE(message([](ReferenceScene& s, Options&) { s.lights[0].shadowMap.values.pop_back(); }).find("shadow map"),
               std::string::npos);
     EXPECT_NE(message([](ReferenceScene& s, Options&) { s.lights[0].light.farPlane = NAN; }).find("planes"),
               std::string::npos);

@@ -72,11 +72,11 @@ std::vector<Triangle> pane(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 
     return {{a, b, c, true}, {a, c, d, true}};
 }
 
-study::Texture speckle(int width, int height, int channels, std::uint64_t seed, double low) {
+study::Image speckle(int width, int height, int channels, std::uint64_t seed, double low) {
     Random random(seed);
-    study::Texture texture{width, height, channels, {}};
+    study::Image texture{width, height, channels, {}};
     for (int i = 0; i < width * height * channels; ++i)
-        texture.texels.push_back(static_cast<float>(uniform(random, low, 1.0)));
+        texture.values.push_back(static_cast<float>(uniform(random, low, 1.0)));
     return texture;
 }
 
@@ -132,7 +132,7 @@ ReferenceScene randomScene(std::uint64_t seed, Mode mode) {
         if (random() % 3 == 0) l.clipPlanes = {glm::dvec4(direction(random), uniform(random, 0.0, 1.0))};
         if (mode == Mode::Hardware && l.shadow) {
             light.shadowMap = speckle(16, 16, 1, random());
-            for (float& depth : light.shadowMap.texels) depth = depth < 0.4f ? 0.0f : 0.2f * depth * depth;
+            for (float& depth : light.shadowMap.values) depth = depth < 0.4f ? 0.0f : 0.2f * depth * depth;
         }
         scene.lights.push_back(light);
     }

@@ -33,7 +33,7 @@ glm::dvec3 radianceOf(const study::ReferenceScene& scene, double accuracy = 1e-1
 std::vector<study::Triangle> pane(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d);
 
 /// Values in [low, 1], the same on every machine.
-study::Texture speckle(int width, int height, int channels, std::uint64_t seed, double low = 0.0);
+study::Image speckle(int width, int height, int channels, std::uint64_t seed, double low = 0.0);
 
 using Random = std::mt19937_64;
 double uniform(Random& random, double low, double high);

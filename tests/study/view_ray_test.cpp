@@ -106,13 +106,13 @@ TEST(Reference, RaysEndAtNearPlaneFarPlaneAndSurface) {
     const glm::dvec4 clip = view.clipFromView * glm::dvec4(0.0, 0.0, -12.5, 1.0);
     scene.depth = {1, 1, 1, {static_cast<float>(clip.z / clip.w)}};
     EXPECT_NEAR(radianceOf(scene).x, 10.5, 1e-3);  // as finely as a float holds this reversed depth
-    scene.depth.texels[0] = 0.0f;
+    scene.depth.values[0] = 0.0f;
     EXPECT_NEAR(radianceOf(scene).x, 28.0, 1e-12);
-    scene.depth.texels[0] = 1.0f;
+    scene.depth.values[0] = 1.0f;
     EXPECT_EQ(radianceOf(scene).x, 0.0);
     scene.view = orthographic(1.0, 1.0, 2.0, 30.0);
     scene.view.worldFromView = lookAlong({0.0, 50.0, 5.0}, {0.0, 0.0, -1.0});
-    scene.depth.texels[0] = 0.25f;  // 30 - 0.25 * 28
+    scene.depth.values[0] = 0.25f;  // 30 - 0.25 * 28
     EXPECT_NEAR(radianceOf(scene).x, 21.0, 1e-12);
 }
 

@@ -5,13 +5,13 @@
 
 namespace tyndall {
 
-study::FloatImage difference(const study::FloatImage& image, const study::FloatImage& reference) {
-    study::FloatImage result = image;
+Image difference(const Image& image, const Image& reference) {
+    Image result = image;
     for (std::size_t k = 0; k < result.values.size(); ++k) result.values[k] -= reference.values[k];
     return result;
 }
 
-std::vector<std::uint8_t> divergingColours(const study::FloatImage& difference, double scale) {
+std::vector<std::uint8_t> divergingColours(const Image& difference, double scale) {
     std::vector<std::uint8_t> bytes;
     const auto channels = static_cast<std::size_t>(difference.channels);
     bytes.reserve(difference.values.size() / channels * 3);

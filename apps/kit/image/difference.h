@@ -1,21 +1,20 @@
 // What separates an image from its reference, as a picture.
 #pragma once
 
-#include <study/metrics.h>
+#include <kit/image/image.h>
+#include <kit/fail.h>
 
 #include <cstdint>
 #include <vector>
 
-#include <kit/fail.h>
-
 namespace tyndall {
 
 /// image - reference, value by value, as floats; of one size and number of channels. NaN where either is.
-study::FloatImage difference(const study::FloatImage& image, const study::FloatImage& reference);
+Image difference(const Image& image, const Image& reference);
 
 /// RGB bytes of a difference: each pixel shows its channel that is farthest from 0, linearly from white for 0
 /// to full red for +scale (the image is brighter) and full blue for -scale, and magenta where it is not
 /// finite. `scale` > 0; what lies beyond is shown as it.
-std::vector<std::uint8_t> divergingColours(const study::FloatImage& difference, double scale);
+std::vector<std::uint8_t> divergingColours(const Image& difference, double scale);
 
 }  // namespace tyndall

@@ -1,6 +1,7 @@
-#include "read_picture.h"
-
 #include <OpenImageIO/imageio.h>
+#include <kit/image/image.h>
+#include <kit/image/read_picture.h>
+#include <kit/image/srgb.h>
 
 #include <algorithm>
 #include <array>
@@ -9,15 +10,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "picture.h"
-#include "srgb.h"
-
 namespace tyndall {
 namespace {
 
-constexpr int mostChannels = 64;
+constexpr int maxChannels = 64;
 /// 4 GiB of floats: a broken header of a few bytes must not ask for all memory there is.
-constexpr std::size_t mostValues = std::size_t{1} << 30;
+constexpr std::size_t maxValues = std::size_t{1} << 30;
 
 /// The image library's name of the format that the first bytes announce.
 Result<const char*> formatOf(const std::string& path) {
@@ -50,11 +48,11 @@ Result<void> checkLayout(const std::string& path, const OIIO::ImageSpec& spec, b
     const int side = static_cast<int>(longestSide);
     if (spec.width < 1 || spec.height < 1 || spec.width > side || spec.height > side)
         return fail("{}: is {}x{} pixels; each side must be from 1 to {}", path, spec.width, spec.height, side);
-    if (spec.nchannels < 1 || spec.nchannels > mostChannels)
-        return fail("{}: has {} channels; from 1 to {} can be compared", path, spec.nchannels, mostChannels);
-    if (static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels > mostValues)
+    if (spec.nchannels < 1 || spec.nchannels > maxChannels)
+        return fail("{}: has {} channels; from 1 to {} can be compared", path, spec.nchannels, maxChannels);
+    if (static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels > maxValues)
         return fail("{}: is {}x{} pixels of {} channels, more than {} values; cut it into parts", path, spec.width,
-                    spec.height, spec.nchannels, mostValues);
+                    spec.height, spec.nchannels, maxValues);
     if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
         spec.height != spec.full_height)
         return fail(
@@ -76,7 +74,7 @@ Result<std::string> exrEncoding(const std::string& path, const OIIO::ImageSpec& 
     return std::string(half ? "16-bit float" : single ? "32-bit float" : "16- and 32-bit float");
 }
 
-void decodeSrgb(study::FloatImage& image, int alpha) {
+void decodeSrgb(Image& image, int alpha) {
     for (std::size_t k = 0; k < image.values.size(); ++k)
         if (static_cast<int>(k % image.channels) != alpha) image.values[k] = linearFromSrgb(image.values[k]);
 }

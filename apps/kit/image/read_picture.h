@@ -1,17 +1,16 @@
 // Pictures to be compared, out of OpenEXR and PNG files.
 #pragma once
 
-#include <study/metrics.h>
+#include <kit/image/image.h>
+#include <kit/fail.h>
 
 #include <string>
 #include <vector>
 
-#include <kit/fail.h>
-
 namespace tyndall {
 
 struct ReadPicture {
-    study::FloatImage image;            ///< linear
+    Image image;                        ///< linear
     std::vector<std::string> channels;  ///< names, in the image's order
     std::string encoding;               ///< "32-bit float", or how values became linear; for people
 };

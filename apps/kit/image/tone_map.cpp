@@ -1,9 +1,8 @@
-#include "tone_map.h"
+#include <kit/image/srgb.h>
+#include <kit/image/tone_map.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "srgb.h"
 
 namespace tyndall {
 namespace {
@@ -20,13 +19,13 @@ double luminance(const glm::vec3& p) {
 
 }  // namespace
 
-double automaticExposure(const Picture& picture) {
+double automaticExposure(const Image& picture) {
     double brightest = 0.0;
-    for (const glm::vec3& pixel : picture.pixels) brightest = std::max(brightest, luminance(pixel));
+    for (std::size_t i = 0; i < pixelCount(picture); ++i) brightest = std::max(brightest, luminance(rgbOf(picture, i)));
     double sum = 0.0;
     std::size_t count = 0;
-    for (const glm::vec3& pixel : picture.pixels)
-        if (const double value = luminance(pixel); value > unlit * brightest) {
+    for (std::size_t i = 0; i < pixelCount(picture); ++i)
+        if (const double value = luminance(rgbOf(picture, i)); value > unlit * brightest) {
             sum += std::log2(value);
             ++count;
         }
@@ -43,14 +42,16 @@ double displayStep(double exposureStops) {
     return std::exp2(-exposureStops) / (256.0 * srgbSlope);
 }
 
-std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<double> exposureStops) {
+std::vector<std::uint8_t> displayBytes(const Image& picture, std::optional<double> exposureStops) {
     const double stops = exposureStops.value_or(automaticExposure(picture));
     std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * picture.pixels.size());
-    for (const glm::vec3& pixel : picture.pixels)
+    bytes.reserve(3 * pixelCount(picture));
+    for (std::size_t i = 0; i < pixelCount(picture); ++i) {
+        const glm::vec3 pixel = rgbOf(picture, i);
         for (int c = 0; c < 3; ++c)
             bytes.push_back(static_cast<std::uint8_t>(
                 std::lround(255.0f * srgbFromLinear(static_cast<float>(toneMap(pixel[c], stops))))));
+    }
     return bytes;
 }
 

@@ -6,17 +6,17 @@
 // Images", SIGGRAPH 2002, equations 1, 2 and 4.
 #pragma once
 
+#include <kit/image/image.h>
+
 #include <cstdint>
 #include <optional>
 #include <vector>
-
-#include "picture.h"
 
 namespace tyndall {
 
 /// Stops that bring the log-average luminance of the lit pixels to 0.18, the key of an ordinary photograph.
 /// 0 for a black picture.
-double automaticExposure(const Picture& picture);
+double automaticExposure(const Image& picture);
 
 /// One channel, linear in [0, 1].
 double toneMap(double radiance, double exposureStops);
@@ -26,6 +26,6 @@ double toneMap(double radiance, double exposureStops);
 double displayStep(double exposureStops);
 
 /// RGB bytes. Absent stops: automaticExposure().
-std::vector<std::uint8_t> displayBytes(const Picture& picture, std::optional<double> exposureStops);
+std::vector<std::uint8_t> displayBytes(const Image& picture, std::optional<double> exposureStops);
 
 }  // namespace tyndall

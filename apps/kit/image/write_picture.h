@@ -1,17 +1,14 @@
-// Picture files, written beside their place and then renamed, so that nobody meets half of one. A link is
-// followed: the file it names is what is written.
+// Picture files, written whole as writeFile() does.
 #pragma once
 
-#include <study/metrics.h>
+#include <kit/image/image.h>
+#include <kit/fail.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <kit/fail.h>
-#include "picture.h"
 
 namespace tyndall {
 
@@ -20,25 +17,15 @@ enum class PictureFormat { Png, Exr };
 /// By the path's extension, in either case; absent where it is neither .png nor .exr.
 std::optional<PictureFormat> pictureFormat(std::string_view path);
 
-/// Whether a file can be made at `path`, to be asked before the work of filling it begins.
-Result<void> checkWritable(const std::string& path);
+/// Of three channels. PNG: tone-mapped to 8-bit sRGB. EXR: 32-bit float, as it is. Errors: a pixel that is not finite,
+/// a place that cannot be written, another extension.
+Result<void> writePicture(const std::string& path, const Image& picture, std::optional<double> exposureStops);
 
-/// Whether writing `a` would change `b`, through links too; what does not exist yet can still be the same.
-bool sameFile(const std::string& a, const std::string& b);
-
-/// PNG: tone-mapped to 8-bit sRGB. EXR: 32-bit float, as it is. Errors: a pixel that is not finite, a
-/// place that cannot be written, another extension.
-Result<void> writePicture(const std::string& path, const Picture& picture, std::optional<double> exposureStops);
-
-/// An EXR of 32-bit floats with these channel names, whatever its values. Errors: a place that cannot be written.
-Result<void> writeFloats(const std::string& path, const study::FloatImage& image,
-                          const std::vector<std::string>& channels);
+/// An EXR of 32-bit floats, losslessly compressed, whatever its values: NaN and infinity are kept. The same image gives
+/// the same bytes. Without names the channels are R, G, B and A. Errors: a place that cannot be written.
+Result<void> writeExr(const std::string& path, const Image& image, std::vector<std::string> channels = {});
 
 /// A PNG of RGB bytes as they are. Errors: a place that cannot be written.
-Result<void> writeBytes(const std::string& path, std::uint32_t width, std::uint32_t height,
-                         const std::vector<std::uint8_t>& rgb);
-
-/// Any text file, the same way.
-Result<void> writeText(const std::string& path, std::string_view text);
+Result<void> writePng(const std::string& path, int width, int height, const std::vector<std::uint8_t>& rgb);
 
 }  // namespace tyndall

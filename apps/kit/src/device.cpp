@@ -52,7 +52,8 @@ Result<void> createDevice(DeviceCore& core, const DeviceOptions& options) {
 }  // namespace
 
 tl::unexpected<Error> vulkanError(const char* call, VkResult result) {
-    return tl::unexpected(Error{ErrorCode::Vulkan, std::string(call) + " failed: " + tyndall::resultName(result), result, call});
+    return tl::unexpected(
+        Error{ErrorCode::Vulkan, std::string(call) + " failed: " + tyndall::resultName(result), result, call});
 }
 
 DeviceCore::~DeviceCore() {

@@ -13,22 +13,20 @@ namespace tyndall::rig {
 namespace {
 
 constexpr double floatShare = 2e-5;
-constexpr double byteMost = 3.0, byteUsual = 1.0, byteRareShare = 0.001;
+constexpr double byteMax = 3.0, byteUsual = 1.0, byteRareShare = 0.001;
 /// Far more than dividing by 255 loses in binary32, far less than a step.
 constexpr double byteSlack = 1e-4;
 
-struct Place {
-    int x, y, channel;
-};
+using study::PixelIndex;
 
-Place placeOf(const Image& image, std::size_t i) {
+PixelIndex placeOf(const Image& image, std::size_t i) {
     const std::size_t pixel = i / image.channels;
     return {static_cast<int>(pixel % image.width), static_cast<int>(pixel / image.width),
             static_cast<int>(i % image.channels)};
 }
 
 std::string words(const Image& image, std::size_t i) {
-    const Place at = placeOf(image, i);
+    const PixelIndex at = placeOf(image, i);
     return fmt::format("pixel ({}, {}), channel {}", at.x, at.y, at.channel);
 }
 
@@ -44,7 +42,7 @@ std::string whyNotExact(const Image& image, const Image& expected) {
     if (apart.differing == 0) return {};
     return fmt::format(
         "{} of {} values are not the same bits; the largest difference is {:.6g} at ({}, {}), channel {}",
-        apart.differing, image.values.size(), apart.largest, apart.x, apart.y, apart.channel);
+        apart.differing, image.values.size(), apart.largest, apart.at.x, apart.at.y, apart.at.channel);
 }
 
 std::string whyNotFloat(const Image& image, const Image& expected) {
@@ -108,9 +106,9 @@ std::string whyNotByte(const Image& image, const Image& expected) {
         }
         unusual += here > byteUsual + byteSlack;
     }
-    if (most > byteMost + byteSlack)
+    if (most > byteMax + byteSlack)
         return fmt::format("a value is {:.3g}/255 off, where {}/255 is the most: {:.6g} instead of {:.6g} at {}", most,
-                           byteMost, image.values[worst], expected.values[worst], words(image, worst));
+                           byteMax, image.values[worst], expected.values[worst], words(image, worst));
     if (static_cast<double>(unusual) > byteRareShare * static_cast<double>(pixels))
         return fmt::format(
             "{} of {} pixels are off by more than {}/255, where {:.1f} % may be; the worst by {:.3g}/255 at {}",
@@ -120,49 +118,24 @@ std::string whyNotByte(const Image& image, const Image& expected) {
 
 }  // namespace
 
-NotFinite notFinite(const Image& image) {
-    NotFinite found;
-    for (std::size_t i = 0; i < image.values.size(); ++i) {
-        const float value = image.values[i];
-        if (std::isfinite(value)) continue;
-        if (found.count() == 0) {
-            const Place at = placeOf(image, i);
-            found.x = at.x;
-            found.y = at.y;
-            found.channel = at.channel;
-        }
-        ++(std::isnan(value) ? found.nan : found.infinite);
-    }
-    return found;
-}
-
 Difference difference(const Image& image, const Image& expected) {
     Difference apart;
-    double squares = 0.0, whole = 0.0;
-    for (std::size_t i = 0; i < image.values.size(); ++i) {
-        const float a = image.values[i], b = expected.values[i];
-        apart.differing += std::bit_cast<std::uint32_t>(a) != std::bit_cast<std::uint32_t>(b);
-        if (!std::isfinite(a) || !std::isfinite(b)) continue;
-        const double d = std::abs(static_cast<double>(a) - b);
-        squares += d * d;
-        whole += static_cast<double>(b) * b;
-        if (d > apart.largest) {
-            const Place at = placeOf(image, i);
-            apart.largest = d;
-            apart.x = at.x;
-            apart.y = at.y;
-            apart.channel = at.channel;
-        }
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+        apart.differing +=
+            std::bit_cast<std::uint32_t>(image.values[i]) != std::bit_cast<std::uint32_t>(expected.values[i]);
+    if (const auto metrics = study::compare(image, expected)) {
+        apart.largest = metrics->maximumAbsolute;
+        apart.at = metrics->worst.place;
+        apart.relativeL2 = metrics->relativeL2;
     }
-    if (squares > 0.0) apart.relativeL2 = std::sqrt(squares / whole);
     return apart;
 }
 
 std::string whyNotFinite(const Image& image) {
-    const NotFinite found = notFinite(image);
+    const study::NonFinite found = study::countNonFinite(image);
     if (found.count() == 0) return {};
     return fmt::format("{} values are NaN and {} are infinite, the first at ({}, {}), channel {}", found.nan,
-                       found.infinite, found.x, found.y, found.channel);
+                       found.infinite, found.first->x, found.first->y, found.first->channel);
 }
 
 std::string whyDifferent(const Image& image, const Image& expected, Tolerance tolerance) {

@@ -1,10 +1,10 @@
 #include <kit/fail.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <kit/image/files.h>
 #include <rig/report.h>
 #include <sys/file.h>
 #include <unistd.h>
-#include <emit/write_files.h>
 
 #include <cctype>
 #include <cerrno>
@@ -66,9 +66,8 @@ bool holdsAnotherPage(const fs::path& folder) {
 
 Result<void> rebuildPage(const fs::path& folder) {
     if (holdsAnotherPage(folder)) return cannotWrite(folder, anotherPage);
-    const std::string why =
-        permgen::write_files({{(folder / "index.html").string(), reportPage((folder / "entries").string())}});
-    if (!why.empty()) return cannotWrite(folder, why);
+    const auto written = writeFile((folder / "index.html").string(), reportPage((folder / "entries").string()));
+    if (!written) return cannotWrite(folder, written.error().message);
     return {};
 }
 

@@ -1,8 +1,7 @@
 #include "report_entry.h"
 
-#include <kit/fail.h>
+#include <kit/image/files.h>
 #include <rig/compare.h>
-#include <emit/write_files.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +17,17 @@ using Json = nlohmann::ordered_json;
 Json figures(const Image* image, const Image* expected) {
     Json json = Json::object();
     if (image) {
-        const NotFinite bad = notFinite(*image);
+        const study::NonFinite bad = study::countNonFinite(*image);
         json["size"] = {image->width, image->height};
         json["nan"] = bad.nan;
         json["infinite"] = bad.infinite;
-        if (bad.count() > 0) json["first_not_finite"] = {{"pixel", {bad.x, bad.y}}, {"channel", bad.channel}};
+        if (bad.count() > 0)
+            json["first_not_finite"] = {{"pixel", {bad.first->x, bad.first->y}}, {"channel", bad.first->channel}};
     }
     if (image && expected && image->sameShape(*expected)) {
         const Difference apart = difference(*image, *expected);
         json["largest_difference"] = apart.largest;
-        json["largest_difference_at"] = {{"pixel", {apart.x, apart.y}}, {"channel", apart.channel}};
+        json["largest_difference_at"] = {{"pixel", {apart.at.x, apart.at.y}}, {"channel", apart.at.channel}};
         // JSON has no infinity; over a black picture there is nothing to be relative to.
         json["relative_l2"] = std::isfinite(apart.relativeL2) ? Json(apart.relativeL2) : Json(nullptr);
         json["differing_values"] = apart.differing;
@@ -76,9 +76,7 @@ Result<void> writeEntry(const std::filesystem::path& folder, const Failure& fail
     json["pictures"] = std::move(pictures);
     json["white"] = white;
     const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    if (const std::string why = permgen::write_files({{(folder / "entry.json").string(), text}}); !why.empty())
-        return failWith(why);
-    return {};
+    return writeFile((folder / "entry.json").string(), text);
 }
 
 }  // namespace tyndall::rig

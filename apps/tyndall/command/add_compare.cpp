@@ -1,6 +1,7 @@
+#include <kit/image/write_picture.h>
+
 #include <cmath>
 
-#include <kit/image/write_picture.h>
 #include "add_options.h"
 
 namespace tyndall::app {
@@ -18,14 +19,14 @@ void addCompare(CLI::App& app, CompareOptions& options) {
     app.add_option("--banding-threshold", options.bandingThreshold,
                    "relative change of the reference over equal values from which they are a band; 0.001")
         ->type_name("T");
-    Limits& most = options.most;
-    addOptional(app, "--max-relative-l2", most.relativeL2, "E", "fail above this relative L2 error");
-    addOptional(app, "--max-relative-mean-square", most.relativeMeanSquare, "E",
+    Limits& limits = options.limits;
+    addOptional(app, "--max-relative-l2", limits.relativeL2, "E", "fail above this relative L2 error");
+    addOptional(app, "--max-relative-mean-square", limits.relativeMeanSquare, "E",
                 "fail above this relative mean square error");
-    addOptional(app, "--max-absolute", most.absolute, "E", "fail where any value is off by more");
-    addOptional(app, "--max-energy", most.energy, "E", "fail where the mean is off by more than this share of it");
-    addOptional(app, "--max-run", most.run, "N", "fail where a band is longer than this many pixels");
-    addOptional(app, "--max-dead-zone", most.deadZone, "R", "fail where a reference value above this became 0");
+    addOptional(app, "--max-absolute", limits.absolute, "E", "fail where any value is off by more");
+    addOptional(app, "--max-energy", limits.energy, "E", "fail where the mean is off by more than this share of it");
+    addOptional(app, "--max-run", limits.run, "N", "fail where a band is longer than this many pixels");
+    addOptional(app, "--max-dead-zone", limits.deadZone, "R", "fail where a reference value above this became 0");
 }
 
 Result<void> checkCompare(const CompareOptions& options) {
@@ -36,14 +37,15 @@ Result<void> checkCompare(const CompareOptions& options) {
         if (!value || (*value >= 0.0 && std::isfinite(*value))) return {};
         return fail("{}: must be a number from 0", name);
     };
-    const Limits& most = options.most;
+    const Limits& limits = options.limits;
     for (const auto& [name, value] :
-         {std::pair("--max-relative-l2", most.relativeL2),
-          std::pair("--max-relative-mean-square", most.relativeMeanSquare), std::pair("--max-absolute", most.absolute),
-          std::pair("--max-energy", most.energy), std::pair("--max-dead-zone", most.deadZone),
+         {std::pair("--max-relative-l2", limits.relativeL2),
+          std::pair("--max-relative-mean-square", limits.relativeMeanSquare),
+          std::pair("--max-absolute", limits.absolute), std::pair("--max-energy", limits.energy),
+          std::pair("--max-dead-zone", limits.deadZone),
           std::pair("--banding-threshold", std::optional(options.bandingThreshold))})
         if (auto checked = check(name, value); !checked) return checked;
-    if (most.run && *most.run < 0) return fail("--max-run: must be a number of pixels from 0");
+    if (limits.run && *limits.run < 0) return fail("--max-run: must be a number of pixels from 0");
     if (!options.differenceScale) return {};
     if (!(*options.differenceScale > 0.0 && std::isfinite(*options.differenceScale)))
         return fail("--difference-scale: must be above 0");

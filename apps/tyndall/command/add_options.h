@@ -55,7 +55,7 @@ Result<void> checkShadowSize(std::uint32_t size);
 void addRender(CLI::App& app, RenderOptions& options, std::string& size);
 Result<void> checkRender(RenderOptions& options, bool outputGiven);
 void addExplain(CLI::App& app, ExplainOptions& options, std::string& size);
-Result<void> checkShafts(const ShaftOptions& options);
+Result<void> checkShafts(ShaftOptions& shafts, const SliceCount& slices);
 void addReference(CLI::App& app, ReferenceOptions& options, std::string& size);
 Result<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven);
 void addCompare(CLI::App& app, CompareOptions& options);

@@ -1,11 +1,12 @@
+#include <kit/image/write_picture.h>
+
 #include <cmath>
 
-#include <kit/image/write_picture.h>
 #include "add_options.h"
 
 namespace tyndall::app {
 
-constexpr unsigned mostThreads = 1024;
+constexpr unsigned maxThreads = 1024;
 
 void addReference(CLI::App& app, ReferenceOptions& options, std::string& size) {
     addViewOptions(app, options.view, size);
@@ -27,8 +28,8 @@ Result<void> checkReference(const ReferenceOptions& options, bool shadowSizeGive
         return fail("-o: {} cannot hold radiance without limits; write an .exr", options.output);
     if (!(options.accuracy >= 1e-12 && options.accuracy <= 1.0))
         return fail("--accuracy: {} is out of bounds; take from 1e-12 to 1", options.accuracy);
-    if (options.threads > mostThreads)
-        return fail("--threads: {} is out of bounds; take from 0 to {}", options.threads, mostThreads);
+    if (options.threads > maxThreads)
+        return fail("--threads: {} is out of bounds; take from 0 to {}", options.threads, maxThreads);
     if (shadowSizeGiven && options.mode == study::Mode::Ideal)
         return fail("--shadow-size: the ideal mode has no shadow maps; leave it out, or add --mode hardware");
     return checkShadowSize(options.shadowSize);

@@ -1,34 +1,48 @@
+#include <kit/image/write_picture.h>
+
 #include <cmath>
 #include <filesystem>
 
-#include <kit/image/write_picture.h>
+#include "../frame/pipeline_cache_file.h"
 #include "add_options.h"
 
 namespace tyndall::app {
 namespace {
 
-void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts) {
+void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts, SliceCount& slices) {
     addChoice(app, "--layer", view.layer, layerWords, "what to draw");
-    addTechnique(app, shafts.terms, "technique of slices.fx for every light");
-    addChoice(app, "--accum", shafts.accumulation, accumulationWords, "where slices are added up");
-    addOptional(app, "--planes", shafts.planes, "N", "so many equal slices a light, 1 to 65536; as many as needed");
-    addOptional(app, "--most-slices", shafts.mostSlices, "N",
+    addTechnique(app, shafts.plan.terms, "technique of slices.fx for every light");
+    addChoice(app, "--accum", shafts.plan.accumulation, accumulationWords, "where slices are added up");
+    addOptional(app, "--planes", slices.planes, "N", "so many equal slices a light, 1 to 65536; as many as needed");
+    addOptional(app, "--most-slices", slices.maxSlices, "N",
                 "where they are as many as needed, not more a light than that, 1 to 65536; 256");
-    addChoice(app, "--geometry", shafts.geometry, geometryWords, "how slices become triangles");
-    addChoice(app, "--look", shafts.look, lookWords, "constants that weigh a slice");
+    addChoice(app, "--geometry", shafts.plan.geometry, geometryWords, "how slices become triangles");
+    addChoice(app, "--look", shafts.plan.look, lookWords, "constants that weigh a slice");
     addOptional(app, "--range", shafts.range, "R",
                 "radiance that 8-bit targets call 1; estimated from above from the lights");
-    addShadowSize(app, shafts.shadowSize);
+    addShadowSize(app, shafts.plan.shadowMapSize);
     addOptional(app, "--exposure", shafts.exposure, "EV",
                 "stops by which a .png is brightened; from the picture's log-average");
-    app.add_flag("--force-all", shafts.everything, "leave nothing out, to compare with: every light with every term");
+    app.add_flag("--force-all", shafts.plan.everything,
+                 "leave nothing out, to compare with: every light with every term");
+}
+
+void resolveSlices(const SliceCount& asked, PlanOptions& plan) {
+    constexpr int articleSlices = 100;
+    if (asked.planes) {
+        plan.slices = *asked.planes;
+        plan.spacing = Spacing::Even;
+    } else {
+        plan.slices = plan.look == Look::Article ? articleSlices : asked.maxSlices.value_or(defaultMaxSlices);
+        plan.spacing = Spacing::Adaptive;
+    }
 }
 
 }  // namespace
 
 void addRender(CLI::App& app, RenderOptions& options, std::string& size) {
     addViewOptions(app, options.view, size);
-    addShafts(app, options.view, options.shafts);
+    addShafts(app, options.view, options.shafts, options.slices);
     app.add_option("-o,--output", options.output, "picture to write, .png (tone-mapped) or .exr (linear)")
         ->type_name("IMAGE");
     addOptional(app, "--stats", options.stats, "FILE.json", "what was drawn, and what it took");
@@ -39,35 +53,36 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size) {
 
 void addExplain(CLI::App& app, ExplainOptions& options, std::string& size) {
     addViewOptions(app, options.view, size);
-    addShafts(app, options.view, options.shafts);
+    addShafts(app, options.view, options.shafts, options.slices);
     app.add_flag("--json", options.json, "as JSON");
 }
 
-Result<void> checkShafts(const ShaftOptions& shafts) {
-    if (shafts.planes && (*shafts.planes < 1 || *shafts.planes > 65536))
-        return fail("--planes: {} is out of bounds; take from 1 to 65536", *shafts.planes);
-    if (shafts.mostSlices && (*shafts.mostSlices < 1 || *shafts.mostSlices > 65536))
-        return fail("--most-slices: {} is out of bounds; take from 1 to 65536", *shafts.mostSlices);
-    if (shafts.mostSlices && (shafts.planes || shafts.look == Look::Article))
+Result<void> checkShafts(ShaftOptions& shafts, const SliceCount& slices) {
+    if (slices.planes && (*slices.planes < 1 || *slices.planes > 65536))
+        return fail("--planes: {} is out of bounds; take from 1 to 65536", *slices.planes);
+    if (slices.maxSlices && (*slices.maxSlices < 1 || *slices.maxSlices > 65536))
+        return fail("--most-slices: {} is out of bounds; take from 1 to 65536", *slices.maxSlices);
+    if (slices.maxSlices && (slices.planes || shafts.plan.look == Look::Article))
         return fail("--most-slices: bounds slices that are as many as needed; leave {} out",
-                    shafts.planes ? "--planes" : "--look article");
-    if (shafts.planes && shafts.accumulation == Accumulation::Rgba8Routed && *shafts.planes % 4 != 0)
+                    slices.planes ? "--planes" : "--look article");
+    if (slices.planes && shafts.plan.accumulation == Accumulation::Rgba8Routed && *slices.planes % 4 != 0)
         return fail(
             "--planes: {} slices cannot be spread evenly over four channels; with --accum rgba8-routed take a "
             "multiple of 4",
-            *shafts.planes);
+            *slices.planes);
     if (shafts.exposure && !(std::abs(*shafts.exposure) <= 64.0))
         return fail("--exposure: must lie between -64 and 64 stops");
-    if (shafts.everything && shafts.terms)
+    if (shafts.plan.everything && shafts.plan.terms)
         return fail("--force-all: draws with the full technique; leave --technique out");
-    if (auto checked = checkShadowSize(shafts.shadowSize); !checked) return checked;
+    if (auto checked = checkShadowSize(shafts.plan.shadowMapSize); !checked) return checked;
     if (shafts.range && !(*shafts.range > 0.0 && std::isfinite(*shafts.range)))
         return fail("--range: must be a radiance above 0");
+    resolveSlices(slices, shafts.plan);
     return {};
 }
 
 Result<void> checkRender(RenderOptions& options, bool outputGiven) {
-    if (auto checked = checkShafts(options.shafts); !checked) return checked;
+    if (auto checked = checkShafts(options.shafts, options.slices); !checked) return checked;
     if (outputGiven && options.output.empty())
         return fail("-o: the picture's name is empty; give one, or leave -o out");
     if (options.output.empty())

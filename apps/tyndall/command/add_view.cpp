@@ -1,4 +1,5 @@
-#include <kit/image/picture.h>
+#include <kit/image/image.h>
+
 #include <cmath>
 
 #include "add_options.h"

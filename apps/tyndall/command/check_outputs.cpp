@@ -1,6 +1,6 @@
 #include "check_outputs.h"
 
-#include <kit/image/write_picture.h>
+#include <kit/image/files.h>
 
 namespace tyndall::app {
 

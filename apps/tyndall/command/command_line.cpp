@@ -68,7 +68,7 @@ Result<Request> parseCommandLine(int argc, const char* const* argv) {
     if (auto checked = checkView(view, written.size); !checked) return tl::unexpected(checked.error());
     if (reference->parsed())
         return accept(checkReference(written.reference, reference->count("--shadow-size") > 0), written.reference);
-    if (explain->parsed()) return accept(checkShafts(written.explain.shafts), written.explain);
+    if (explain->parsed()) return accept(checkShafts(written.explain.shafts, written.explain.slices), written.explain);
     auto checked = checkRender(written.render, render->count("--output") > 0);
     return accept(std::move(checked), written.render);
 }

@@ -1,8 +1,10 @@
+#include <kit/image/difference.h>
+#include <kit/image/files.h>
+#include <kit/image/write_picture.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include <kit/image/difference.h>
-#include <kit/image/write_picture.h>
 #include "commands.h"
 #include "compare_report.h"
 #include "json_text.h"
@@ -19,17 +21,16 @@ Result<void> checkDifference(const std::string& path, const CompareOptions& opti
 /// Returns what the picture shows.
 Result<std::string> writeDifference(const std::string& path, const Comparison& comparison,
                                      const CompareOptions& options) {
-    const study::FloatImage signedDifference = difference(comparison.image.image, comparison.reference.image);
+    const Image signedDifference = difference(comparison.image.image, comparison.reference.image);
     if (pictureFormat(path) == PictureFormat::Exr) {
-        if (auto done = writeFloats(path, signedDifference, comparison.image.channels); !done)
+        if (auto done = writeExr(path, signedDifference, comparison.image.channels); !done)
             return tl::unexpected(done.error());
         return fmt::format("wrote {}: image - reference", path);
     }
     const double largest = comparison.metrics.maximumAbsolute;
     const double scale = options.differenceScale.value_or(largest > 0.0 ? largest : 1.0);
-    const auto width = static_cast<std::uint32_t>(signedDifference.width);
-    const auto height = static_cast<std::uint32_t>(signedDifference.height);
-    if (auto done = writeBytes(path, width, height, divergingColours(signedDifference, scale)); !done)
+    const auto colours = divergingColours(signedDifference, scale);
+    if (auto done = writePng(path, signedDifference.width, signedDifference.height, colours); !done)
         return tl::unexpected(done.error());
     return fmt::format("wrote {}: from blue, darker by {:g}, over white to red, brighter by {:g}", path, scale, scale);
 }
@@ -57,15 +58,15 @@ Result<CommandOutput> compare(const CompareOptions& options) {
             options.image, options.reference, fmt::join(comparison.image.channels, " "),
             fmt::join(comparison.reference.channels, " "));
 
-    CommandOutput said;
+    CommandOutput result;
     if (options.difference) {
         auto written = writeDifference(*options.difference, comparison, options);
         if (!written) return tl::unexpected(written.error());
-        said.notes.push_back(std::move(*written));
+        result.notes.push_back(std::move(*written));
     }
-    said.output = options.json ? jsonText(compareReport(comparison, options)) : compareText(comparison, options);
-    said.verdict = verdict(comparison, options);
-    return said;
+    result.output = options.json ? jsonText(compareReport(comparison, options)) : compareText(comparison, options);
+    result.verdict = verdict(comparison, options);
+    return result;
 }
 
 }  // namespace tyndall::app

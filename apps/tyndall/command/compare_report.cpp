@@ -6,7 +6,7 @@ namespace tyndall::app {
 namespace {
 
 using nlohmann::ordered_json;
-using study::Place;
+using study::PixelIndex;
 
 std::string joined(const std::vector<std::string>& parts, std::string_view between) {
     std::string text;
@@ -14,12 +14,12 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
     return text;
 }
 
-std::string placeText(const Comparison& comparison, const Place& place) {
+std::string placeText(const Comparison& comparison, const PixelIndex& place) {
     return fmt::format("{} of pixel ({}, {})", comparison.image.channels[static_cast<std::size_t>(place.channel)],
                        place.x, place.y);
 }
 
-ordered_json placeReport(const Comparison& comparison, const Place& place) {
+ordered_json placeReport(const Comparison& comparison, const PixelIndex& place) {
     return {{"x", place.x},
             {"y", place.y},
             {"channel", comparison.image.channels[static_cast<std::size_t>(place.channel)]}};
@@ -151,7 +151,7 @@ std::string compareText(const Comparison& comparison, const CompareOptions& opti
 
 std::optional<std::string> verdict(const Comparison& comparison, const CompareOptions& options) {
     const study::Metrics& metrics = comparison.metrics;
-    const Limits& most = options.most;
+    const Limits& limits = options.limits;
     std::vector<std::string> faults;
     if (metrics.image.count() > 0) faults.push_back(nonFiniteText(comparison, "the image", metrics.image));
     if (metrics.reference.count() > 0) faults.push_back(nonFiniteText(comparison, "the reference", metrics.reference));
@@ -161,15 +161,15 @@ std::optional<std::string> verdict(const Comparison& comparison, const CompareOp
         faults.push_back(fmt::format("the {} is {:.4g}, above {} {:g}", figure, value, option, *limit));
         ofThePicture = true;
     };
-    hold("relative L2", metrics.relativeL2, "--max-relative-l2", most.relativeL2);
-    hold("relative mean square", metrics.relativeMeanSquare, "--max-relative-mean-square", most.relativeMeanSquare);
-    hold("largest error", metrics.maximumAbsolute, "--max-absolute", most.absolute);
-    hold("share of energy gained or lost", std::abs(metrics.energy), "--max-energy", most.energy);
+    hold("relative L2", metrics.relativeL2, "--max-relative-l2", limits.relativeL2);
+    hold("relative mean square", metrics.relativeMeanSquare, "--max-relative-mean-square", limits.relativeMeanSquare);
+    hold("largest error", metrics.maximumAbsolute, "--max-absolute", limits.absolute);
+    hold("share of energy gained or lost", std::abs(metrics.energy), "--max-energy", limits.energy);
     if (ofThePicture) faults.back() += fmt::format(" (worst is {})", worstText(comparison));
-    if (most.run && metrics.banding.longestRun > *most.run)
-        faults.push_back(fmt::format("{}, above --max-run {}", bandText(comparison), *most.run));
-    if (most.deadZone && std::abs(metrics.deadZone.largest.reference) > *most.deadZone)
-        faults.push_back(fmt::format("{}, above --max-dead-zone {:g}", deadZoneText(comparison), *most.deadZone));
+    if (limits.run && metrics.banding.longestRun > *limits.run)
+        faults.push_back(fmt::format("{}, above --max-run {}", bandText(comparison), *limits.run));
+    if (limits.deadZone && std::abs(metrics.deadZone.largest.reference) > *limits.deadZone)
+        faults.push_back(fmt::format("{}, above --max-dead-zone {:g}", deadZoneText(comparison), *limits.deadZone));
     if (faults.empty()) return std::nullopt;
     return fmt::format("{}: {}", options.image, joined(faults, "; "));
 }

@@ -1,13 +1,13 @@
 // The figures of a comparison as JSON and as text, and what they fail.
 #pragma once
 
+#include <kit/image/read_picture.h>
 #include <study/metrics.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include <kit/image/read_picture.h>
 #include "options.h"
 
 namespace tyndall::app {

@@ -12,7 +12,7 @@ namespace {
 /// device can, the plan does without them.
 Result<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
     auto device = headless::Device::create();
-    if (!device) return {};
+    if (!device) return planWithoutDepth(planned, options.view, options.shafts);
     auto renderer = SceneRenderer::create(*device, planned.scene);
     if (!renderer) return tl::unexpected(renderer.error());
     return renderer->plan(planned, options.view, options.shafts);
@@ -21,13 +21,13 @@ Result<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
 }  // namespace
 
 Result<CommandOutput> explain(const ExplainOptions& options) {
-    auto planned = planScene(options.view, options.shafts);
+    auto planned = prepareScene(options.view);
     if (!planned) return tl::unexpected(planned.error());
     if (auto done = planAsDrawn(*planned, options); !done) return tl::unexpected(done.error());
-    CommandOutput said;
-    said.output = options.json ? jsonText(planReport(*planned, options.view, options.shafts))
-                               : planText(*planned, options.view, options.shafts);
-    return said;
+    CommandOutput result;
+    result.output = options.json ? jsonText(planReport(*planned, options.view, options.shafts))
+                                 : planText(*planned, options.view, options.shafts);
+    return result;
 }
 
 }  // namespace tyndall::app

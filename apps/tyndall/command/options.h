@@ -1,21 +1,28 @@
 // What can be asked of the program, after the command line was understood.
 #pragma once
 
-#include <kit/fail.h>
 #include <study/reference.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
-
-#include "../frame/options.h"
+#include "../frame/shaft_options.h"
+#include "../frame/view_options.h"
+#include <kit/fail.h>
 
 namespace tyndall::app {
+
+/// How many slices, as asked for; checkShafts() writes it into PlanOptions.
+struct SliceCount {
+    std::optional<int> planes;     ///< this many equal slabs a light; absent: as many as needed
+    std::optional<int> maxSlices;  ///< at most this many; absent: defaultMaxSlices
+};
 
 struct RenderOptions {
     ViewOptions view;
     ShaftOptions shafts;
+    SliceCount slices;
     std::string output;
     std::optional<std::string> stats;
     std::optional<std::string> pipelineCache;  ///< a file, or noPipelineCache; absent: the user's cache folder
@@ -25,6 +32,7 @@ struct RenderOptions {
 struct ExplainOptions {
     ViewOptions view;
     ShaftOptions shafts;
+    SliceCount slices;
     bool json = false;
 };
 
@@ -51,7 +59,7 @@ struct CompareOptions {
     std::optional<std::string> difference;
     std::optional<double> differenceScale;  ///< absent: the largest difference
     double bandingThreshold = 1e-3;
-    Limits most;
+    Limits limits;
 };
 
 /// "640x360". Errors: anything else, a side of 0 or over longestSide.

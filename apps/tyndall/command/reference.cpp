@@ -1,9 +1,10 @@
+#include <kit/image/files.h>
+#include <kit/image/write_picture.h>
 #include <study/reference.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include <kit/image/write_picture.h>
 #include "../frame/reference_scene.h"
 #include "check_outputs.h"
 #include "commands.h"
@@ -17,12 +18,6 @@ constexpr const char* interrupted = "interrupted; nothing was written";
 
 double seconds(std::chrono::steady_clock::time_point since) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
-}
-
-Picture pictureOf(const study::ReferenceImage& image) {
-    Picture picture{static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), {}};
-    picture.pixels.assign(image.radiance.begin(), image.radiance.end());
-    return picture;
 }
 
 Result<study::ReferenceScene> sceneFor(const ReferenceOptions& options, const ViewedScene& viewed, ReferenceRun& run) {
@@ -63,22 +58,22 @@ Result<CommandOutput> reference(const ReferenceOptions& options, const Progress&
     if (!image) return fail("{}: {}", options.view.scene, image.error().message);
     run.integrating = seconds(start);
 
-    if (auto written = writePicture(options.output, pictureOf(*image), std::nullopt); !written)
+    if (auto written = writePicture(options.output, radianceOf(*image), std::nullopt); !written)
         return tl::unexpected(written.error());
     if (options.stats) {
         const auto report = referenceReport(options, *viewed, *image, run);
-        if (auto written = writeText(*options.stats, jsonText(report)); !written)
+        if (auto written = writeFile(*options.stats, jsonText(report)); !written)
             return tl::unexpected(written.error());
     }
-    CommandOutput said;
-    for (const std::string& warning : viewed->scene.warnings) said.notes.push_back("warning: " + warning);
+    CommandOutput result;
+    for (const std::string& warning : viewed->scene.warnings) result.notes.push_back("warning: " + warning);
     for (const IgnoredLight& ignored : viewed->scene.ignoredLights)
-        said.notes.push_back(fmt::format("note: {}: {}", ignored.name, ignored.reason));
-    if (image->largestBound > options.accuracy) said.notes.push_back(shortfall(options, *image));
+        result.notes.push_back(fmt::format("note: {}: {}", ignored.name, ignored.reason));
+    if (image->largestBound > options.accuracy) result.notes.push_back(shortfall(options, *image));
     std::error_code error;
-    said.notes.push_back(fmt::format("wrote {}: {}", std::filesystem::absolute(options.output, error).string(),
-                                     referenceText(*image, run)));
-    return said;
+    result.notes.push_back(fmt::format("wrote {}: {}", std::filesystem::absolute(options.output, error).string(),
+                                       referenceText(*image, run)));
+    return result;
 }
 
 }  // namespace tyndall::app

@@ -28,7 +28,8 @@ nlohmann::ordered_json referenceReport(const ReferenceOptions& options, const Vi
     report["camera"] = viewed.camera->name;
     report["size"] = {image.width, image.height};
     report["time"] = options.view.time;
-    report["technique"] = options.terms ? nlohmann::ordered_json(techniqueName(*options.terms)) : nlohmann::ordered_json();
+    report["technique"] =
+        options.terms ? nlohmann::ordered_json(techniqueName(*options.terms)) : nlohmann::ordered_json();
     report["mode"] = wordFor(modeWords, options.mode);
     if (options.mode == study::Mode::Hardware) {
         report["device"] = run.device;

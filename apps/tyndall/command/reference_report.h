@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "options.h"
 #include "../frame/view_scene.h"
+#include "options.h"
 
 namespace tyndall::app {
 

@@ -1,9 +1,10 @@
 #include <headless/device.h>
+#include <kit/image/files.h>
+#include <kit/image/write_picture.h>
 #include <tyndall/explain.h>
 
 #include <filesystem>
 
-#include <kit/image/write_picture.h>
 #include "../frame/pipeline_cache_file.h"
 #include "../frame/scene_renderer.h"
 #include "check_outputs.h"
@@ -33,12 +34,12 @@ Result<CommandOutput> render(const RenderOptions& options) {
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());
     if (auto checked = checkPipelineCache(options); !checked) return tl::unexpected(checked.error());
-    auto planned = planScene(options.view, options.shafts);
+    auto planned = prepareScene(options.view);
     if (!planned) return tl::unexpected(planned.error());
     auto device = headless::Device::create({.validation = options.validate});
-    if (!device) return tl::unexpected(device.error());
-    CommandOutput said;
-    auto cache = PipelineCacheFile::open(*device, options.pipelineCache, said.notes);
+    if (!device) return fail("{}", device.error().message);
+    CommandOutput result;
+    auto cache = PipelineCacheFile::open(*device, options.pipelineCache, result.notes);
     auto renderer = SceneRenderer::create(*device, planned->scene, cache.handle());
     if (!renderer) return tl::unexpected(renderer.error());
     auto frame = renderer->draw(*planned, options.view, options.shafts, options.stats.has_value());
@@ -49,24 +50,24 @@ Result<CommandOutput> render(const RenderOptions& options) {
 
     if (auto written = writePicture(options.output, frame->picture, options.shafts.exposure); !written)
         return tl::unexpected(written.error());
-    cache.save(said.notes);
+    cache.save(result.notes);
     if (options.stats) {
         auto report = frameReport(*planned, options.view, options.shafts, frame->statistics, device->name());
         report["pipelineCache"] = {
             {"file", cache.path()}, {"bytesLoaded", cache.bytesLoaded()}, {"bytesWritten", cache.bytesWritten()}};
-        if (auto written = writeText(*options.stats, jsonText(report)); !written)
+        if (auto written = writeFile(*options.stats, jsonText(report)); !written)
             return tl::unexpected(written.error());
     }
-    for (const std::string& warning : planned->scene.warnings) said.notes.push_back("warning: " + warning);
+    for (const std::string& warning : planned->scene.warnings) result.notes.push_back("warning: " + warning);
     for (const IgnoredLight& ignored : planned->scene.ignoredLights)
-        said.notes.push_back(fmt::format("note: {}: {}", ignored.name, ignored.reason));
+        result.notes.push_back(fmt::format("note: {}: {}", ignored.name, ignored.reason));
     for (const PlannedLight& light : planned->plan.lights)
         if (!light.drawn)
-            said.notes.push_back(
+            result.notes.push_back(
                 fmt::format("note: light \"{}\": {}", planned->lights[light.light].name, reason(light, planned->view)));
     std::error_code error;
-    said.notes.push_back(fmt::format("wrote {}", std::filesystem::absolute(options.output, error).string()));
-    return said;
+    result.notes.push_back(fmt::format("wrote {}", std::filesystem::absolute(options.output, error).string()));
+    return result;
 }
 
 }  // namespace tyndall::app

@@ -31,10 +31,9 @@ std::string bytes(std::uint64_t number) {
 }
 
 std::string slicesText(const ShaftOptions& shafts) {
-    if (shafts.planes) return fmt::format("{} equal slices a light", *shafts.planes);
-    return shafts.look == Look::Article
-               ? std::string("100 equal slices a light")
-               : fmt::format("up to {} slices a light", shafts.mostSlices.value_or(defaultMostSlices));
+    const bool equal = shafts.plan.spacing == Spacing::Even || shafts.plan.look == Look::Article;
+    return equal ? fmt::format("{} equal slices a light", shafts.plan.slices)
+                 : fmt::format("up to {} slices a light", shafts.plan.slices);
 }
 
 struct Costs {
@@ -42,9 +41,9 @@ struct Costs {
 };
 
 Costs costsOf(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
-    Costs costs{lightCosts(planned.plan, planned.view, view.size, shafts.shadowSize), {}};
+    Costs costs{lightCosts(planned.plan, planned.view, view.size, shafts.plan.shadowMapSize), {}};
     if (const Result<Plan> everything = planEverything(planned, view))
-        costs.forced = lightCosts(*everything, planned.view, view.size, shafts.shadowSize);
+        costs.forced = lightCosts(*everything, planned.view, view.size, shafts.plan.shadowMapSize);
     return costs;
 }
 
@@ -54,7 +53,7 @@ std::size_t mapsForSurfacesAlone(const PlannedScene& planned, const ViewOptions&
     std::size_t maps = 0;
     for (std::size_t i = 0; i < planned.surfaceLights.size(); ++i) {
         const PlannedLight& light = planned.plan.lights[i];
-        maps += planned.surfaceLights[i].shadowMap && !(light.drawn && light.terms.contains(Term::Shadow));
+        maps += planned.surfaceLights[i].shadow && !(light.drawn && light.terms.contains(Term::Shadow));
     }
     return maps;
 }
@@ -76,15 +75,15 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
     report["camera"] = planned.camera->name;
     report["size"] = {view.size.width, view.size.height};
     report["time"] = view.time;
-    report["accumulation"] = wordFor(accumulationWords, shafts.accumulation);
-    report["geometry"] = wordFor(geometryWords, shafts.geometry);
-    report["look"] = wordFor(lookWords, shafts.look);
+    report["accumulation"] = wordFor(accumulationWords, shafts.plan.accumulation);
+    report["geometry"] = wordFor(geometryWords, shafts.plan.geometry);
+    report["look"] = wordFor(lookWords, shafts.plan.look);
     report["mostSlices"] = planned.options.slices;
     report["spacing"] = planned.options.spacing == Spacing::Even ? "even" : "adaptive";
     report["range"] = planned.range;
     report["displayStep"] = planned.displayStep;
     report["depthKnown"] = planned.depth.has_value();
-    report["forceAll"] = shafts.everything;
+    report["forceAll"] = shafts.plan.everything;
     report["lights"] = nlohmann::ordered_json::array();
     const Costs costs = costsOf(planned, view, shafts);
     int slices = 0;
@@ -104,7 +103,7 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
         if (light.drawn) {
             entry["technique"] = techniqueName(light.terms);
             for (const Term term : allTerms) entry[std::string(nameOf(term))] = light.terms.contains(term);
-            entry["saved"] = shafts.everything ? std::vector<std::string>{} : savings(light);
+            entry["saved"] = shafts.plan.everything ? std::vector<std::string>{} : savings(light);
             entry["slices"] = light.slices;
             entry["nearDepth"] = light.nearDepth;
             entry["farDepth"] = light.farDepth;
@@ -179,7 +178,7 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
     std::string text =
         fmt::format("{}: camera \"{}\", {}x{}, at {:g} s; {} as {}, added up in {}\n", view.scene, planned.camera->name,
                     view.size.width, view.size.height, view.time, slicesText(shafts),
-                    wordFor(geometryWords, shafts.geometry), wordFor(accumulationWords, shafts.accumulation));
+                    wordFor(geometryWords, shafts.plan.geometry), wordFor(accumulationWords, shafts.plan.accumulation));
     if (!planned.depth) text += "planned without the scene's depth: nothing counts as hidden by a surface\n";
     const Costs costs = costsOf(planned, view, shafts);
     std::vector<std::vector<const PlannedPart*>> parts(planned.plan.lights.size());
@@ -196,7 +195,7 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
         if (light.drawn) {
             ++drawn;
             maps += light.terms.contains(Term::Shadow);
-            if (!shafts.everything)
+            if (!shafts.plan.everything)
                 for (const std::string& saving : savings(light)) text += fmt::format("  {}\n", saving);
             for (std::size_t k = 0; k < parts[i].size(); ++k)
                 text += fmt::format("  {}: {} slices, about {} fragments\n", techniqueName(parts[i][k]->terms),
@@ -206,7 +205,7 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
                                 light.divided ? ", whose slices both techniques may share" : "");
             text += fmt::format("  costs {}\n", cost(costs.planned[i]));
         }
-        if (!shafts.everything && !costs.forced.empty() && costs.forced[i].fragments > 0.0)
+        if (!shafts.plan.everything && !costs.forced.empty() && costs.forced[i].fragments > 0.0)
             text += fmt::format("  forced, it would cost {}\n", cost(costs.forced[i]));
     }
     for (const IgnoredLight& ignored : planned.scene.ignoredLights)
@@ -217,7 +216,7 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
         text += fmt::format("{} more shadow map{} for surfaces alone\n", more, more == 1 ? "" : "s");
     if (costs.forced.empty())
         text += "forced: more slices than one plan may hold\n";
-    else if (!shafts.everything)
+    else if (!shafts.plan.everything)
         text +=
             fmt::format("forced, with the full technique and nothing left out: about {}\n", cost(sum(costs.forced)));
     for (const std::string& warning : planned.scene.warnings) text += fmt::format("\nwarning: {}\n", warning);

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "../frame/plan_scene.h"
 #include "../frame/frame_statistics.h"
+#include "../frame/plan_scene.h"
 
 namespace tyndall::app {
 

@@ -4,10 +4,10 @@
 #include <headless/statistics.h>
 #include <tyndall/renderer.h>
 
-#include "plan_scene.h"
 #include "frame_statistics.h"
 #include "frame_targets.h"
 #include "gpu_scene.h"
+#include "plan_scene.h"
 #include "shadow_maps.h"
 
 namespace tyndall::app {

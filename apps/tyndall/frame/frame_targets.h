@@ -2,8 +2,10 @@
 #pragma once
 
 #include <headless/image.h>
+#include <tyndall/plan.h>
 
-#include "options.h"
+#include <kit/fail.h>
+#include "view_options.h"
 
 namespace tyndall::app {
 

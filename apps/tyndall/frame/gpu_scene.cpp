@@ -10,13 +10,14 @@ namespace {
 constexpr VkFormat imageFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 Result<headless::Image> uploadImage(const headless::Device& device, const Image& source) {
-    auto image = headless::Image::create(device, {.extent = {source.width, source.height},
+    auto image = headless::Image::create(device, {.extent = {static_cast<std::uint32_t>(source.width),
+                                                             static_cast<std::uint32_t>(source.height)},
                                                   .format = imageFormat,
                                                   .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                                                   .name = "scene texture"});
     if (!image) return fail("a texture of {}x{}: {}", source.width, source.height, image.error().message);
-    std::vector<glm::uint64> texels(source.texels.size());
-    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::packHalf4x16(source.texels[i]);
+    std::vector<glm::uint64> texels(pixelCount(source));
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::packHalf4x16(rgbaOf(source, i));
     if (auto done = headless::upload(device, *image, std::as_bytes(std::span(texels))); !done)
         return fail("a texture could not be uploaded: {}", done.error().message);
     return std::move(*image);
@@ -61,7 +62,7 @@ Result<void> uploadImages(const headless::Device& device, const Scene& scene, co
         if (!image) return tl::unexpected(image.error());
         gpu.images[i] = std::move(*image);
         ++gpu.imagesUploaded;
-        gpu.imageBytes += scene.images[i].texels.size() * headless::texelBytes(imageFormat);
+        gpu.imageBytes += pixelCount(scene.images[i]) * headless::texelBytes(imageFormat);
     }
     return {};
 }

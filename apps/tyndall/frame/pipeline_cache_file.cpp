@@ -1,5 +1,6 @@
 #include "pipeline_cache_file.h"
 
+#include <kit/image/files.h>
 #include <sys/stat.h>
 #include <tyndall/pipeline_cache.h>
 #include <tyndall/vulkan_result.h>
@@ -10,13 +11,11 @@
 #include <fstream>
 #include <string_view>
 
-#include <kit/image/write_picture.h>
-
 namespace tyndall::app {
 namespace {
 
 /// Larger files are none of this program's; drivers keep some kilobytes for a pipeline.
-constexpr std::uintmax_t mostBytes = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t maxBytes = std::uintmax_t{1} << 30;
 
 /// "pipelines-" and the driver's own identity: what one driver wrote is of no use to another.
 std::string fileName(const VkPhysicalDeviceProperties& properties) {
@@ -50,7 +49,7 @@ Result<std::vector<std::byte>> readFile(const std::string& path) {
     if (status.type() == std::filesystem::file_type::none) return fail("cannot be read: {}", error.message());
     if (status.type() != std::filesystem::file_type::regular) return fail("is no plain file");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error || size > mostBytes) return fail("is larger than any pipeline cache");
+    if (error || size > maxBytes) return fail("is larger than any pipeline cache");
     std::vector<std::byte> bytes(size);
     std::ifstream file(path, std::ios::binary);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
@@ -140,7 +139,7 @@ void PipelineCacheFile::save(std::vector<std::string>& notes) {
     if (sealed == held_) return;
     if (makeFolder_) makeFolder(std::filesystem::path(path_).parent_path());
     const auto written =
-        writeText(path_, std::string_view(reinterpret_cast<const char*>(sealed.data()), sealed.size()));
+        writeFile(path_, std::string_view(reinterpret_cast<const char*>(sealed.data()), sealed.size()));
     if (!written) {
         notes.push_back(fmt::format("note: pipelines are not kept: {}", written.error().message));
         return;

@@ -9,11 +9,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "options.h"
-
 namespace tyndall::app {
+
+/// What --pipeline-cache takes in place of a file.
+constexpr std::string_view noPipelineCache = "none";
 
 class PipelineCacheFile {
 public:

@@ -13,26 +13,17 @@ bool eightBits(Accumulation accumulation) {
 }
 
 PlanOptions optionsFor(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
-    PlanOptions options;
-    options.slices =
-        shafts.planes.value_or(shafts.look == Look::Article ? 100 : shafts.mostSlices.value_or(defaultMostSlices));
-    options.spacing = shafts.planes ? Spacing::Even : Spacing::Adaptive;
-    options.geometry = shafts.geometry;
-    options.accumulation = shafts.accumulation;
-    options.look = shafts.look;
+    PlanOptions options = shafts.plan;
     options.time = view.time;
     options.range = planned.range;
-    options.shadowMapSize = shafts.shadowSize;
     options.pictureHeight = view.size.height;
     options.displayStep = planned.displayStep;
-    options.everything = shafts.everything;
-    options.terms = shafts.terms;
     return options;
 }
 
 void findRange(PlannedScene& planned, const ShaftOptions& shafts) {
-    if (eightBits(shafts.accumulation))
-        planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts);
+    if (eightBits(shafts.plan.accumulation))
+        planned.range = shafts.range ? *shafts.range : automaticRange(planned.lights, planned.view, shafts.plan);
 }
 
 Surroundings surroundingsOf(const PlannedScene& planned) {
@@ -43,15 +34,15 @@ Surroundings surroundingsOf(const PlannedScene& planned) {
 
 Result<void> makePlan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     planned.options = optionsFor(planned, view, shafts);
-    const auto made = planned.planner.plan(planned.lights, planned.view, planned.options, surroundingsOf(planned),
-                                           planned.plan);
+    const auto made =
+        planned.planner.plan(planned.lights, planned.view, planned.options, surroundingsOf(planned), planned.plan);
     if (!made) return fail("{}: {}", view.scene, made.error().message);
     return {};
 }
 
 }  // namespace
 
-Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts) {
+Result<PlannedScene> prepareScene(const ViewOptions& view) {
     auto viewed = viewScene(view);
     if (!viewed) return tl::unexpected(viewed.error());
     PlannedScene planned;
@@ -59,9 +50,12 @@ Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shaf
     auto facts = surveyScene(planned.scene);
     if (!facts) return fail("{}: {}", view.scene, facts.error().message);
     planned.facts = std::move(*facts);
-    findRange(planned, shafts);
-    if (auto made = makePlan(planned, view, shafts); !made) return tl::unexpected(made.error());
     return planned;
+}
+
+Result<void> planWithoutDepth(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
+    findRange(planned, shafts);
+    return makePlan(planned, view, shafts);
 }
 
 Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
@@ -71,18 +65,18 @@ Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, co
     if (auto followed = followInstances(planned.facts, planned.scene); !followed)
         return fail("{}: {}", view.scene, followed.error().message);
     findRange(planned, shafts);
-    if (shafts.everything) {
+    if (shafts.plan.everything) {
         planned.surfaceLights = allLights(planned.lights, planned.instancesInLight);
         return {};
     }
-    auto needed = neededLights(planned.planner, planned.lights, planned.view, surroundingsOf(planned.facts),
-                               shafts.shadowSize, planned.surfacePlan, planned.surfaceLights);
+    const auto needed = planned.planner.surfaces(planned.lights, planned.view, shafts.plan.shadowMapSize,
+                                                 surroundingsOf(planned.facts), planned.surfaceLights);
     if (!needed) return fail("{}: {}", view.scene, needed.error().message);
     return {};
 }
 
 Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
-                        const ShaftOptions& shafts) {
+                              const ShaftOptions& shafts) {
     planned.view.sceneDepth = depth.farthest;
     planned.depth = std::move(depth);
     planned.displayStep = displayStep;

@@ -3,9 +3,10 @@
 
 #include <tyndall/plan.h>
 
-#include "view_scene.h"
 #include "scene_facts.h"
+#include "shaft_options.h"
 #include "surface_lights.h"
+#include "view_scene.h"
 
 namespace tyndall::app {
 
@@ -17,20 +18,22 @@ struct PlannedScene : ViewedScene {
     double displayStep = 0.0;                 ///< as PlanOptions'
     PlanOptions options;                      ///< what the plan was made with
     Plan plan;
-    Planner planner;   ///< keeps its memory, and so do the plans
-    Plan surfacePlan;  ///< what surfaceLights were read off
+    Planner planner;  ///< keeps its memory, and so does the plan
 };
 
-/// Reads the scene and plans it, as far as that can be done before anything is drawn.
-Result<PlannedScene> planScene(const ViewOptions& view, const ShaftOptions& shafts);
+/// Reads the scene and surveys it. Nothing is planned yet.
+Result<PlannedScene> prepareScene(const ViewOptions& view);
 
-/// To be called once camera, lights or instances have moved: finds out what plan() may know of the scene as it stands,
-/// and how its lamps light its surfaces. The depth of the frame before is forgotten.
+/// Plans without the depth of the scene, where no device can draw it: no surface hides a light.
+Result<void> planWithoutDepth(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
+
+/// Call it when camera, lights or instances may have moved. It updates what plan() may know of the scene, and how
+/// each lamp lights the surfaces. The depth of the frame before is forgotten.
 Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
-/// Plans again, once the scene's depth and the display's step are known.
+/// Plans with the drawn depth and the display's step.
 Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
-                        const ShaftOptions& shafts);
+                              const ShaftOptions& shafts);
 
 /// What the plan would be if nothing were left out.
 Result<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view);

@@ -13,13 +13,14 @@ Result<std::vector<float>> readDepth(const headless::Device& device, const headl
     return values;
 }
 
-Result<Picture> readPicture(const headless::Device& device, const headless::Image& colour) {
+Result<Image> readPicture(const headless::Device& device, const headless::Image& colour) {
     const auto bytes = headless::readback(device, colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
     if (!bytes) return fail("the picture could not be read back: {}", bytes.error().message);
-    Picture picture{.width = colour.extent().width, .height = colour.extent().height, .pixels = {}};
-    picture.pixels.resize(std::size_t{picture.width} * picture.height);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-        std::memcpy(&picture.pixels[i], bytes->data() + 16 * i, sizeof(glm::vec3));
+    const VkExtent2D size = colour.extent();
+    Image picture = blankImage(static_cast<int>(size.width), static_cast<int>(size.height), 3);
+    constexpr std::size_t stored = 4 * sizeof(float), kept = 3 * sizeof(float);
+    for (std::size_t i = 0; i < pixelCount(picture); ++i)
+        std::memcpy(&picture.values[3 * i], bytes->data() + stored * i, kept);
     return picture;
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <headless/image.h>
+#include <kit/image/image.h>
 
 #include <vector>
 
-#include <kit/image/picture.h>
 #include <kit/fail.h>
 
 namespace tyndall::app {
@@ -15,6 +15,6 @@ Result<std::vector<float>> readDepth(const headless::Device& device, const headl
                                       VkImageLayout layout);
 
 /// Red, green and blue of an image of four 32-bit floats in layout COLOR_ATTACHMENT_OPTIMAL, where it stays.
-Result<Picture> readPicture(const headless::Device& device, const headless::Image& colour);
+Result<Image> readPicture(const headless::Device& device, const headless::Image& colour);
 
 }  // namespace tyndall::app

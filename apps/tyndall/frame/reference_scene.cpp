@@ -8,14 +8,10 @@
 namespace tyndall::app {
 namespace {
 
-study::Texture textureOf(const Image& image, bool asUploaded) {
-    study::Texture texture{static_cast<int>(image.width), static_cast<int>(image.height), 4, {}};
-    texture.texels.reserve(4 * image.texels.size());
-    for (const glm::vec4& texel : image.texels) {
-        const glm::vec4 kept = asUploaded ? glm::unpackHalf4x16(glm::packHalf4x16(texel)) : texel;
-        texture.texels.insert(texture.texels.end(), {kept.r, kept.g, kept.b, kept.a});
-    }
-    return texture;
+/// What the device reads: the scene's textures are half floats there.
+Image asUploaded(Image image) {
+    for (float& value : image.values) value = glm::unpackHalf1x16(glm::packHalf1x16(value));
+    return image;
 }
 
 study::ReferenceScene commonPart(const ViewedScene& viewed, const ViewOptions& options, study::Mode mode) {
@@ -25,19 +21,20 @@ study::ReferenceScene commonPart(const ViewedScene& viewed, const ViewOptions& o
     scene.width = static_cast<int>(options.size.width);
     scene.height = static_cast<int>(options.size.height);
     scene.time = options.time;
-    const bool asUploaded = mode == study::Mode::Hardware;
+    const bool hardware = mode == study::Mode::Hardware;
+    const auto textureOf = [hardware](const Image& image) { return hardware ? asUploaded(image) : image; };
     for (std::size_t i = 0; i < viewed.lights.size(); ++i) {
         const SceneLight& source = viewed.scene.lights[i];
         study::ReferenceLight light;
         light.light = viewed.lights[i];
-        if (light.light.cookie && source.cone && !asUploaded) {
+        if (light.light.cookie && source.cone && !hardware) {
             light.cone = study::Cone{source.cone->inner, source.cone->outer};
             light.light.cookie = source.slide.has_value();
-            if (source.slide) light.cookie = textureOf(viewed.scene.slides[*source.slide], asUploaded);
+            if (source.slide) light.cookie = textureOf(viewed.scene.slides[*source.slide]);
         } else if (light.light.cookie) {
-            light.cookie = textureOf(viewed.scene.images[*source.cookie], asUploaded);
+            light.cookie = textureOf(viewed.scene.images[*source.cookie]);
         }
-        if (source.noise) light.noise = textureOf(viewed.scene.images[*source.noise], asUploaded);
+        if (source.noise) light.noise = textureOf(viewed.scene.images[*source.noise]);
         scene.lights.push_back(std::move(light));
     }
     return scene;
@@ -53,7 +50,7 @@ void addTriangles(const Mesh& mesh, const glm::dmat4& worldFromMesh, std::vector
             {corner(i), corner(mirrored ? i + 2 : i + 1), corner(mirrored ? i + 1 : i + 2), mesh.material.doubleSided});
 }
 
-study::Texture depthTexture(int width, int height, std::vector<float> values) {
+study::Image depthTexture(int width, int height, std::vector<float> values) {
     return {width, height, 1, std::move(values)};
 }
 

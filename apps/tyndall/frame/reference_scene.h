@@ -4,9 +4,9 @@
 #include <headless/device.h>
 #include <study/reference.h>
 
-#include "view_scene.h"
-#include "options.h"
 #include <kit/fail.h>
+#include "view_options.h"
+#include "view_scene.h"
 
 namespace tyndall::app {
 

@@ -15,7 +15,9 @@ std::vector<MeshTriangles> trianglesOf(const Scene& scene) {
 
 /// The device gets half floats.
 TextureSurvey surveyOf(const Image& image, bool wraps) {
-    return surveyHalfFloatTexture(static_cast<int>(image.width), static_cast<int>(image.height), image.texels, wraps);
+    std::vector<glm::vec4> texels(pixelCount(image));
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = rgbaOf(image, i);
+    return surveyHalfFloatTexture(image.width, image.height, texels, wraps);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #include "scene_renderer.h"
 
 #include <headless/commands.h>
+#include <kit/image/tone_map.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include <kit/image/tone_map.h>
 #include "all_cores.h"
 #include "draw_shafts.h"
 #include "pass_on.h"
@@ -17,17 +17,17 @@ namespace tyndall::app {
 namespace {
 
 /// The step that the display shows of a picture at its exposure; 0 where it shows nothing, or where nothing is shown.
-double stepOf(const Picture& picture, const ShaftOptions& shafts) {
+double stepOf(const Image& picture, const ShaftOptions& shafts) {
     if (!shafts.displayed) return 0.0;
     if (shafts.exposure) return displayStep(*shafts.exposure);
-    const bool black = std::ranges::all_of(picture.pixels, [](const glm::vec3& p) { return p == glm::vec3(0.0f); });
+    const bool black = std::ranges::all_of(picture.values, [](float value) { return value == 0.0f; });
     return black ? 0.0 : displayStep(automaticExposure(picture));
 }
 
 std::vector<std::size_t> mapsCalledFor(std::span<const SurfaceLight> surfaceLights) {
     std::vector<std::size_t> lights;
     for (std::size_t i = 0; i < surfaceLights.size(); ++i)
-        if (surfaceLights[i].shadowMap) lights.push_back(i);
+        if (surfaceLights[i].shadow) lights.push_back(i);
     return lights;
 }
 
@@ -91,12 +91,13 @@ Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<co
 }
 
 Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                                         double mostStep) {
-    auto drawn = drawSurfaces(planned, planned.surfaceLights, view.size, shafts.shadowSize, view.layer == Layer::All);
+                                         double maxStep) {
+    auto drawn =
+        drawSurfaces(planned, planned.surfaceLights, view.size, shafts.plan.shadowMapSize, view.layer == Layer::All);
     if (!drawn) return drawn;
     const auto depths = readDepth(*device_, targets_.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
     if (!depths) return tl::unexpected(depths.error());
-    Picture surfaces;
+    Image surfaces;
     if (shafts.displayed && !shafts.exposure) {
         auto read = readPicture(*device_, targets_.colour);
         if (!read) return tl::unexpected(read.error());
@@ -106,7 +107,7 @@ Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions
     if (auto surveyed = passOn(surveyDepth(*depths, view.size.width, view.size.height, planned.view, depth), "the depth as drawn");
         !surveyed)
         return surveyed;
-    return replanWithDepth(planned, std::move(depth), std::min(stepOf(surfaces, shafts), mostStep), view, shafts);
+    return replanWithDepth(planned, std::move(depth), std::min(stepOf(surfaces, shafts), maxStep), view, shafts);
 }
 
 /// All that drawShafts() will draw with, on all cores.
@@ -129,12 +130,12 @@ Result<void> SceneRenderer::drawPlanned(PlannedScene& planned, const ShaftOption
     frame_.accumulate = frame_.composite = 0.0;
     frame_.fragments = frame_.shafts.draws = frame_.shafts.slicesDrawn = 0;
     frame_.fragmentsKnown = measure && device_->hasPipelineStatistics();
-    const std::vector<bool> images = shafts.everything ? std::vector<bool>(planned.scene.images.size(), true)
-                                                       : shaftImages(planned.scene, planned.plan);
+    const std::vector<bool> images = shafts.plan.everything ? std::vector<bool>(planned.scene.images.size(), true)
+                                                            : shaftImages(planned.scene, planned.plan);
     if (auto uploaded = uploadImages(*device_, planned.scene, images, gpu_); !uploaded) return uploaded;
-    if (auto drawn = drawShadowMaps(planned, mapsCalledFor(planned), shafts.shadowSize); !drawn) return drawn;
+    if (auto drawn = drawShadowMaps(planned, mapsCalledFor(planned), shafts.plan.shadowMapSize); !drawn) return drawn;
     if (planned.plan.groups.empty()) return {};
-    if (auto fitted = fitAccumulation(*device_, targets_, shafts.accumulation); !fitted) return fitted;
+    if (auto fitted = fitAccumulation(*device_, targets_, shafts.plan.accumulation); !fitted) return fitted;
     const std::vector<LightTextures> textures = texturesOf(planned, maps_, gpu_);
     if (auto prepared = preparePipelines(planned.plan); !prepared) return prepared;
     const std::uint64_t uploaded = renderer_.counters().bytesUploaded;
@@ -175,20 +176,20 @@ void SceneRenderer::finishStatistics() {
 
 Result<void> SceneRenderer::plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
     startFrame();
-    if (auto looked = updateSceneFacts(planned, view, shafts); !looked) return looked;
+    if (auto updated = updateSceneFacts(planned, view, shafts); !updated) return updated;
     return planAsDrawn(planned, view, shafts, std::numeric_limits<double>::infinity());
 }
 
 Result<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
                                    bool measure) {
     startFrame();
-    if (auto looked = updateSceneFacts(planned, view, shafts); !looked) return tl::unexpected(looked.error());
+    if (auto updated = updateSceneFacts(planned, view, shafts); !updated) return tl::unexpected(updated.error());
     // What is too faint is judged by the exposure of the surfaces alone. The shafts brighten the picture, and so darken
     // its exposure, as a rule; where they do not, it is drawn again, more carefully, and at last with nothing left out.
-    double mostStep = std::numeric_limits<double>::infinity();
+    double maxStep = std::numeric_limits<double>::infinity();
     for (;;) {
         ++frame_.rounds;
-        if (auto done = planAsDrawn(planned, view, shafts, mostStep); !done) return tl::unexpected(done.error());
+        if (auto done = planAsDrawn(planned, view, shafts, maxStep); !done) return tl::unexpected(done.error());
         if (auto done = drawPlanned(planned, shafts, measure); !done) return tl::unexpected(done.error());
         auto picture = readPicture(*device_, targets_.colour);
         if (!picture) return tl::unexpected(picture.error());
@@ -197,7 +198,7 @@ Result<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view
             finishStatistics();
             return Frame{std::move(*picture), frame_};
         }
-        mostStep = std::isinf(mostStep) ? 0.5 * step : 0.0;
+        maxStep = std::isinf(maxStep) ? 0.5 * step : 0.0;
     }
 }
 

@@ -4,22 +4,22 @@
 #pragma once
 
 #include <headless/statistics.h>
+#include <kit/image/image.h>
 #include <tyndall/pass_pipelines.h>
 
 #include <limits>
 
-#include <kit/image/picture.h>
-#include "plan_scene.h"
 #include "frame_statistics.h"
 #include "frame_targets.h"
 #include "gpu_scene.h"
+#include "plan_scene.h"
 #include "shadow_maps.h"
 #include "surfaces.h"
 
 namespace tyndall::app {
 
 struct Frame {
-    Picture picture;
+    Image picture;
     FrameStatistics statistics;
 };
 
@@ -31,8 +31,8 @@ public:
     static Result<SceneRenderer> create(const headless::Device& device, const Scene& scene,
                                          VkPipelineCache cache = VK_NULL_HANDLE);
 
-    /// Draws `planned` as it stands: looks around in it, draws its surfaces, and plans anew with the depth and the
-    /// exposure that come of them. `measure` adds the slices twice and times the second, so that no compilation is in
+    /// Draws `planned` as it stands: updates what is known of the scene, draws the surfaces, and plans with their depth
+    /// and exposure. `measure` adds the slices twice and times the second, so that no compilation is in
     /// the figure.
     Result<Frame> draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts, bool measure);
 
@@ -57,7 +57,7 @@ private:
           gpu_(std::move(gpu)) {}
 
     Result<void> planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                              double mostStep);
+                              double maxStep);
     Result<void> drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure);
     Result<void> preparePipelines(const Plan& plan);
     void startFrame();

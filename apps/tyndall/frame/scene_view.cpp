@@ -44,8 +44,7 @@ std::vector<std::vector<std::size_t>> instancesByLight(const Scene& scene, std::
         for (std::size_t i = 0; i < scene.instances.size(); ++i) {
             const MeshInstance& instance = scene.instances[i];
             if (scene.meshes[instance.mesh].indices.empty()) continue;
-            if (mayShade(lights[light], instance.worldFromMesh, boxes[instance.mesh]))
-                found[light].push_back(i);
+            if (mayShade(lights[light], instance.worldFromMesh, boxes[instance.mesh])) found[light].push_back(i);
         }
     return found;
 }

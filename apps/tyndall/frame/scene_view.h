@@ -6,8 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "options.h"
+#include <kit/fail.h>
 #include "../scene/scene.h"
+#include "view_options.h"
 
 namespace tyndall::app {
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "view_scene.h"
 #include "gpu_scene.h"
+#include "view_scene.h"
 
 namespace tyndall::app {
 

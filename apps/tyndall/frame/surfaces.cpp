@@ -120,7 +120,7 @@ struct Lit {
 void listDraws(const SurfaceInputs& inputs, std::vector<Lit>& draws) {
     for (std::size_t i = 0; i < inputs.viewed.scene.instances.size(); ++i) draws.push_back({i, std::nullopt});
     for (std::size_t light = 0; light < inputs.lights.size() && inputs.lit; ++light) {
-        if (!inputs.lights[light].reaches) continue;
+        if (!inputs.lights[light].lit) continue;
         for (const std::size_t instance : inputs.viewed.instancesInLight[light]) draws.push_back({instance, light});
     }
 }

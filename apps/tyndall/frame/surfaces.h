@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "view_scene.h"
 #include <kit/fail.h>
-#include "surface_lights.h"
 #include "gpu_scene.h"
 #include "shadow_maps.h"
+#include "surface_lights.h"
+#include "view_scene.h"
 
 namespace tyndall::app {
 

@@ -15,7 +15,7 @@ std::vector<bool> surfaceImages(const ViewedScene& viewed, std::span<const Surfa
     if (!lit) return used;
     for (const MeshInstance& instance : scene.instances) mark(used, scene.meshes[instance.mesh].material.baseTexture);
     for (std::size_t i = 0; i < lights.size(); ++i)
-        if (lights[i].reaches && !viewed.instancesInLight[i].empty()) mark(used, scene.lights[i].cookie);
+        if (lights[i].lit && !viewed.instancesInLight[i].empty()) mark(used, scene.lights[i].cookie);
     return used;
 }
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "view_scene.h"
 #include "surface_lights.h"
+#include "view_scene.h"
 
 namespace tyndall::app {
 

@@ -1,7 +1,7 @@
 #include "view_scene.h"
 
-#include "scene_view.h"
 #include "../scene/load_scene.h"
+#include "scene_view.h"
 
 namespace tyndall::app {
 

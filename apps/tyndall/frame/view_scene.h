@@ -6,8 +6,9 @@
 
 #include <vector>
 
-#include "options.h"
+#include <kit/fail.h>
 #include "../scene/scene.h"
+#include "view_options.h"
 
 namespace tyndall::app {
 

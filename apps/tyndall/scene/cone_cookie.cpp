@@ -10,7 +10,7 @@ namespace {
 
 /// Texels a side without a given cookie: half a degree a texel would show in a 90 degree cone at 180;
 /// this is a fifth of a degree.
-constexpr std::uint32_t smallestSide = 512;
+constexpr int smallestSide = 512;
 /// Samples a side of each texel, so that the edge of a hard cone is smooth.
 constexpr int samples = 4;
 
@@ -29,14 +29,12 @@ struct Falloff {
 }  // namespace
 
 Image bakeCone(double inner, double outer, const Image* given) {
-    Image image;
-    image.width = std::max(smallestSide, given != nullptr ? given->width : 0);
-    image.height = std::max(smallestSide, given != nullptr ? given->height : 0);
-    image.texels.resize(std::size_t{image.width} * image.height);
+    Image image = blankImage(std::max(smallestSide, given != nullptr ? given->width : 0),
+                             std::max(smallestSide, given != nullptr ? given->height : 0), 4);
     const double slope = std::tan(outer);
     const Falloff falloff(inner, outer);
-    for (std::uint32_t row = 0; row < image.height; ++row)
-        for (std::uint32_t column = 0; column < image.width; ++column) {
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column) {
             double sum = 0.0;
             for (int s = 0; s < samples * samples; ++s) {
                 const double x = slope * (2.0 * (column + (s % samples + 0.5) / samples) / image.width - 1.0);
@@ -47,7 +45,7 @@ Image bakeCone(double inner, double outer, const Image* given) {
             const glm::vec4 slide =
                 given != nullptr ? sampleClamped(*given, (column + 0.5) / image.width, (row + 0.5) / image.height)
                                  : glm::vec4(1.0f);
-            image.texels[std::size_t{row} * image.width + column] = glm::vec4(cone * glm::vec3(slide), 1.0f);
+            setRgba(image, static_cast<std::size_t>(row) * image.width + column, glm::vec4(cone * glm::vec3(slide), 1.0f));
         }
     return image;
 }

@@ -9,7 +9,7 @@ namespace tyndall::app {
 namespace {
 
 constexpr std::uint32_t longestImageSide = 16384;
-constexpr std::uint64_t mostImageTexels = std::uint64_t{1} << 26;
+constexpr std::uint64_t maxImageTexels = std::uint64_t{1} << 26;
 
 std::uint32_t bigEndian(const unsigned char* bytes, int count) {
     std::uint32_t value = 0;
@@ -50,9 +50,9 @@ Result<tinygltf::Image> decodeImage(const tinygltf::Image& encoded, std::size_t 
     const auto stated = statedSize(bytes.data(), bytes.size());
     if (!stated) return fail("image {} is neither PNG nor JPEG; export the textures as one of these", index);
     if (stated->first > longestImageSide || stated->second > longestImageSide ||
-        std::uint64_t{stated->first} * stated->second > mostImageTexels)
+        std::uint64_t{stated->first} * stated->second > maxImageTexels)
         return fail("image {} is {}x{} texels; at most {} a side and {} in all are read", index, stated->first,
-                    stated->second, longestImageSide, mostImageTexels);
+                    stated->second, longestImageSide, maxImageTexels);
     tinygltf::Image decoded;
     std::string reason, warning;
     try {

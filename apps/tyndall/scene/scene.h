@@ -1,6 +1,7 @@
 // A scene as the program draws it: plain data, read from glTF once, at one moment of its animations.
 #pragma once
 
+#include <kit/image/image.h>
 #include <tyndall/light.h>
 #include <tyndall/meshes.h>
 
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace tyndall::app {
-
-/// Linear values, row 0 at the top, RGBA.
-struct Image {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    std::vector<glm::vec4> texels;
-};
 
 struct Vertex {
     glm::vec3 position{0.0f};  ///< metres, in mesh space
@@ -80,8 +74,8 @@ struct Bounds {
 };
 
 struct Scene {
-    std::vector<Image> images;  ///< what is drawn with; lights and meshes share them
-    std::vector<Image> slides;  ///< what cones were baked into; never drawn with
+    std::vector<Image> images;  ///< RGBA, what is drawn with; lights and meshes share them
+    std::vector<Image> slides;  ///< RGBA, what cones were baked into; never drawn with
     std::vector<Mesh> meshes;
     std::vector<MeshInstance> instances;  ///< of meshes
     std::vector<Camera> cameras;

@@ -1,10 +1,11 @@
 #include "texture.h"
 
+#include <kit/image/srgb.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include <kit/image/srgb.h>
 #include "decode_image.h"
 
 namespace tyndall::app {
@@ -29,10 +30,7 @@ Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encodi
     const std::size_t texels = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
     const std::size_t channelBytes = from.bits == 16 ? 2 : 1;
 
-    Image image;
-    image.width = static_cast<std::uint32_t>(from.width);
-    image.height = static_cast<std::uint32_t>(from.height);
-    image.texels.resize(texels);
+    Image image = blankImage(from.width, from.height, 4);
     for (std::size_t i = 0; i < texels; ++i)
         for (std::size_t c = 0; c < 4; ++c) {
             float value;
@@ -43,7 +41,8 @@ Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encodi
             } else {
                 value = static_cast<float>(from.image[4 * i + c]) / 255.0f;
             }
-            image.texels[i][static_cast<int>(c)] = encoding == Encoding::Srgb && c < 3 ? linearFromSrgb(value) : value;
+            image.values[4 * i + c] =
+                encoding == Encoding::Srgb && c < 3 ? linearFromSrgb(value) : value;
         }
     return image;
 }
@@ -52,9 +51,9 @@ glm::vec4 sampleClamped(const Image& image, double u, double v) {
     const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0);
     const double y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
     const auto x0 = static_cast<std::size_t>(x), y0 = static_cast<std::size_t>(y);
-    const std::size_t x1 = std::min<std::size_t>(x0 + 1, image.width - 1);
-    const std::size_t y1 = std::min<std::size_t>(y0 + 1, image.height - 1);
-    const auto at = [&](std::size_t column, std::size_t row) { return image.texels[row * image.width + column]; };
+    const std::size_t x1 = std::min<std::size_t>(x0 + 1, static_cast<std::size_t>(image.width) - 1);
+    const std::size_t y1 = std::min<std::size_t>(y0 + 1, static_cast<std::size_t>(image.height) - 1);
+    const auto at = [&](std::size_t column, std::size_t row) { return rgbaOf(image, row * image.width + column); };
     const auto fx = static_cast<float>(x - static_cast<double>(x0)),
                fy = static_cast<float>(y - static_cast<double>(y0));
     return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y1), at(x1, y1), fx), fy);

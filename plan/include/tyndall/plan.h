@@ -183,6 +183,14 @@ struct Plan {
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings = {});
 
+/// How one light lights the surfaces that a view shows. A light without shafts, in air that scatters nothing, still
+/// lights surfaces.
+struct SurfaceLight {
+    bool lit = false;               ///< it may light a surface in the picture
+    bool shadow = false;            ///< an occluder may stand between it and such a surface: it needs its shadow map
+    std::vector<glm::dvec4> walls;  ///< view space, keep dot(n, p) + d >= 0: no surface behind one is lit
+};
+
 /// plan() for frame after frame: reuses its working memory and the plan's, so it stops allocating once both have grown.
 /// Not thread-safe.
 class Planner {
@@ -195,6 +203,13 @@ public:
     /// Replaces the contents of `plan`. After an error, `plan` is empty.
     Result<void> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                       const Surroundings& surroundings, Plan& plan);
+
+    /// Writes into `needs` what the surfaces in the view need of each light, in the lights' order. Independent of
+    /// cookie, noise and air. `shadowMapSize`: texels a side, see PlanOptions.
+    ///
+    /// Errors: those of plan() about lights, view and surroundings; `needs` is then empty.
+    Result<void> surfaces(std::span<const Light> lights, const View& view, std::uint32_t shadowMapSize,
+                          const Surroundings& surroundings, std::vector<SurfaceLight>& needs);
 
 private:
     struct Impl;

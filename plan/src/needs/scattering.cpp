@@ -1,5 +1,7 @@
 #include "needs/scattering.h"
 
+#include <tyndall/air.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -7,14 +9,6 @@
 
 namespace tyndall {
 namespace {
-
-// Henyey and Greenstein's phase function times 4 pi, of the angle by which light turns: a monotonic function.
-double phase(double g, double angle) {
-    const double strength = std::abs(g), narrow = 1.0 - strength;
-    const double half = std::sin(0.5 * (g < 0.0 ? glm::pi<double>() - angle : angle));
-    const double base = narrow * narrow + 4.0 * strength * half * half;
-    return narrow / base * ((1.0 + strength) / std::sqrt(base));
-}
 
 struct Cone {
     glm::dvec3 axis{0.0, 0.0, 1.0};
@@ -63,14 +57,13 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
     const double minPath = view.orthographic ? std::max(nearest + air.nearDepth, -lamp.z)
                                                  : std::max(nearest + air.nearDepth, glm::length(eye));
     const double maxPath = farthest + (view.orthographic ? air.farDepth : longest);
-    const double extinction = light.albedo ? light.density / *light.albedo : 0.0;
 
     const Cone fromLamp = coneAround(corners), back = coneAround(toEye);
     const double between = angleBetween(fromLamp.axis, back.axis), spread = fromLamp.halfAngle + back.halfAngle;
     const double sharpest = std::max(between - spread, 0.0), widest = std::min(between + spread, glm::pi<double>());
     const auto [low, high] = std::minmax({phase(light.anisotropy, sharpest), phase(light.anisotropy, widest)});
-    return {glm::dvec3(low * std::exp(-extinction * maxPath)),
-            glm::dvec3(high * std::exp(-extinction * minPath))};
+    return {glm::dvec3(low * std::exp(-extinction(light) * maxPath)),
+            glm::dvec3(high * std::exp(-extinction(light) * minPath))};
 }
 
 double phasePeak(const Light& light) {

@@ -6,6 +6,7 @@
 // order the pixels come.
 #pragma once
 
+#include <study/image.h>
 #include <tyndall/result.h>
 
 #include <cstddef>
@@ -16,27 +17,21 @@
 
 namespace tyndall::study {
 
-/// Linear values, row 0 at the top, the channels of a pixel side by side.
-struct FloatImage {
-    int width = 0, height = 0, channels = 0;
-    std::vector<float> values;  ///< width * height * channels
-};
-
 /// Where one value of a picture stands.
-struct Place {
+struct PixelIndex {
     int x = 0, y = 0, channel = 0;  ///< from the top left, counted from 0
 };
 
 /// Values of a picture that are no numbers to calculate with.
 struct NonFinite {
     std::uint64_t nan = 0, infinite = 0;
-    std::optional<Place> first;  ///< in reading order; absent where there is none
+    std::optional<PixelIndex> first;  ///< in reading order; absent where there is none
     std::uint64_t count() const { return nan + infinite; }
 };
 
 /// One pair of values, in the pictures' own unit.
 struct Sample {
-    Place place;
+    PixelIndex place;
     double image = 0.0, reference = 0.0;
 };
 
@@ -48,7 +43,7 @@ struct Sample {
 struct Banding {
     int longestRun = 0;           ///< pixels; 0: no run moves the reference that far
     bool alongRow = true;         ///< otherwise along a column
-    Place start;                  ///< of the longest run: its leftmost or topmost value
+    PixelIndex start;             ///< of the longest run: its leftmost or topmost value
     double change = 0.0;          ///< of the reference over that run, |r(end) - r(start)|, in its unit
     double relativeChange = 0.0;  ///< change / max(|r|) of the two ends
 };
@@ -94,14 +89,14 @@ struct MetricOptions {
     double bandingThreshold = 1e-3;
 };
 
-NonFinite countNonFinite(const FloatImage& image);
+NonFinite countNonFinite(const Image& image);
 
 /// Errors, one sentence: pictures whose widths, heights or numbers of channels differ, without pixels, or
 /// with another number of values than their size says.
-Result<Metrics> compare(const FloatImage& image, const FloatImage& reference,
+Result<Metrics> compare(const Image& image, const Image& reference,
                                            const MetricOptions& options = {});
 
 /// The banding measure alone; image and reference of one size. Values that are not finite end a run.
-Banding findBanding(const FloatImage& image, const FloatImage& reference, double threshold, double dark);
+Banding findBanding(const Image& image, const Image& reference, double threshold, double dark);
 
 }  // namespace tyndall::study

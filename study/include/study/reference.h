@@ -11,7 +11,7 @@
 // depth 0. The reference shares no code with the renderer: it uses only the plain structs Light and View of plan/.
 #pragma once
 
-#include <study/texture.h>
+#include <study/image.h>
 #include <tyndall/light.h>
 #include <tyndall/result.h>
 #include <tyndall/view.h>
@@ -45,10 +45,10 @@ struct Cone {
 /// Light::cookie, ::shadow and ::noise select a light's terms; textures of the others may be empty.
 struct ReferenceLight {
     Light light;
-    Texture cookie;            ///< linear colour, three channels or more; bilinear, clamped
+    Image cookie;            ///< linear colour, three channels or more; bilinear, clamped
     std::optional<Cone> cone;  ///< multiplies the cookie, exactly; a renderer that bakes it into a texture has an error
-    Texture noise;             ///< red and green carry the two maps; bilinear, wrapped
-    Texture shadowMap;         ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
+    Image noise;             ///< red and green carry the two maps; bilinear, wrapped
+    Image shadowMap;         ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
                                ///< comparison comes first, then the bilinear filter, clamped
 };
 
@@ -59,7 +59,7 @@ struct ReferenceScene {
     double time = 0.0;  ///< seconds; scrolls the noise
     std::vector<ReferenceLight> lights;
     std::vector<Triangle> triangles;  ///< Ideal
-    Texture depth;                    ///< Hardware: width x height, one channel, stored depth as view.clipFromView
+    Image depth;                    ///< Hardware: width x height, one channel, stored depth as view.clipFromView
                                       ///< projects it, with the far plane's value in empty pixels; may be empty
     double shadowBias = 0.0;          ///< Hardware: as PlanOptions::shadowBias
 };

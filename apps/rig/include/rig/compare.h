@@ -2,27 +2,19 @@
 #pragma once
 
 #include <rig/image.h>
+#include <study/metrics.h>
 
 #include <cstddef>
 #include <string>
 
 namespace tyndall::rig {
 
-/// Values that are no numbers to compare. They are counted before anything is compared: a comparison with
-/// NaN is false whichever way it is put.
-struct NotFinite {
-    std::size_t nan = 0, infinite = 0;
-    int x = 0, y = 0, channel = 0;  ///< of the first of either kind
-    std::size_t count() const { return nan + infinite; }
-};
-NotFinite notFinite(const Image& image);
-
 /// Figures over the values that are finite in both images, which have the same shape.
 struct Difference {
-    double largest = 0.0;           ///< |image - expected|
-    int x = 0, y = 0, channel = 0;  ///< where
-    double relativeL2 = 0.0;        ///< sqrt(sum (image - expected)^2 / sum expected^2); infinite over nothing
-    std::size_t differing = 0;      ///< values whose bits differ, non-finite ones included
+    double largest = 0.0;       ///< |image - expected|
+    study::PixelIndex at;       ///< where
+    double relativeL2 = 0.0;    ///< sqrt(sum (image - expected)^2 / sum expected^2); infinite over nothing
+    std::size_t differing = 0;  ///< values whose bits differ, non-finite ones included
 };
 Difference difference(const Image& image, const Image& expected);
 
