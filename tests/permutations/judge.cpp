@@ -33,21 +33,21 @@ std::string thisTestsCommand() {
 
 }  // namespace
 
-rig::Image imageOf(const Picture& picture) {
-    rig::Image image = rig::blankImage(picture.width, picture.height, 4);
+Image imageOf(const Picture& picture) {
+    Image image = blankImage(picture.width, picture.height, 4);
     for (std::size_t i = 0; i < image.values.size(); ++i) image.values[i] = picture.pixels[i / 4][i % 4];
     return image;
 }
 
-rig::Image imageOf(const std::vector<Allowed>& allowed, int width, int height) {
-    rig::Image image = rig::blankImage(width, height, 4);
+Image imageOf(const std::vector<Allowed>& allowed, int width, int height) {
+    Image image = blankImage(width, height, 4);
     for (std::size_t i = 0; i < image.values.size(); ++i)
         image.values[i] = static_cast<float>(allowed[i / 4][i % 4].mid());
     return image;
 }
 
-void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const rig::Image& image,
-           const rig::Image* expected) {
+void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const Image& image,
+           const Image* expected) {
     const rig::Subject subject{permutation.effect(), permutation.name(), std::string(permutation.pass().name), check};
     Result<void> reported;
     if (reason.empty()) {
@@ -60,7 +60,7 @@ void judge(const Permutation& permutation, const std::string& check, const std::
     EXPECT_TRUE(reported.has_value()) << reported.error().message;
 }
 
-void judgeGolden(const Permutation& permutation, const std::string& name, const rig::Image& image,
+void judgeGolden(const Permutation& permutation, const std::string& name, const Image& image,
                  rig::Tolerance tolerance) {
     rig::GoldenStore store;
     store.folder = TYNDALL_GOLDENS_FOLDER;
@@ -72,9 +72,9 @@ void judgeGolden(const Permutation& permutation, const std::string& name, const 
 
 void judgeOracle(const Permutation& permutation, const std::string& check, const Picture& picture, double scale,
                  const std::vector<Allowed>& allowed) {
-    rig::Image image = imageOf(picture);
+    Image image = imageOf(picture);
     for (float& value : image.values) value = static_cast<float>(value / scale);
-    const rig::Image expected = imageOf(allowed, picture.width, picture.height);
+    const Image expected = imageOf(allowed, picture.width, picture.height);
     judge(permutation, check, whyOutside(picture, scale, allowed), image, &expected);
 }
 

@@ -11,20 +11,20 @@
 
 namespace tyndall::test {
 
-rig::Image imageOf(const Picture& picture);
+Image imageOf(const Picture& picture);
 
 /// The middle of the allowed interval.
-rig::Image imageOf(const std::vector<Allowed>& allowed, int width, int height);
+Image imageOf(const std::vector<Allowed>& allowed, int width, int height);
 
 /// If `reason` is empty the comparison has passed, and an earlier run's evidence is removed. Otherwise the running test
 /// fails with the technique's name, and its pictures go to the report, with the command that runs this test again. The
 /// report is the folder that TYNDALL_REPORT names, or the build folder's `report`. `check` is unique for the
 /// permutation. `expected` may be null.
-void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const rig::Image& image,
-           const rig::Image* expected);
+void judge(const Permutation& permutation, const std::string& check, const std::string& reason, const Image& image,
+           const Image* expected);
 
 /// Against the golden of that name in tests/permutations/goldens. TYNDALL_UPDATE_GOLDENS=1 makes it again, and fails.
-void judgeGolden(const Permutation& permutation, const std::string& name, const rig::Image& image,
+void judgeGolden(const Permutation& permutation, const std::string& name, const Image& image,
                  rig::Tolerance tolerance);
 
 /// Against the oracle's intervals.

@@ -22,7 +22,7 @@ void expectSame(const Permutation& permutation, const std::string& check, const 
                 const Drawing& expected) {
     EXPECT_GT(litPixels(expected.sum), 500);
     EXPECT_EQ(whyNotFinite(expected.sum), "");
-    const rig::Image image = imageOf(drawing.sum), other = imageOf(expected.sum);
+    const Image image = imageOf(drawing.sum), other = imageOf(expected.sum);
     judge(permutation, check, rig::whyDifferent(image, other, rig::Tolerance::Exact), image, &other);
 }
 

@@ -117,9 +117,9 @@ TEST_F(Program, ConstantsLeftAtZeroAreNoted) {
 }
 
 TEST_F(Program, AnImageFileIsATexture) {
-    rig::Image image = rig::blankImage(2, 1, 3);
+    Image image = blankImage(2, 1, 3);
     image.at(1, 0, 0) = 0.5f;
-    ASSERT_TRUE(rig::writeExr(folder.at("two.exr"), image).has_value());
+    ASSERT_TRUE(writeExr(folder.at("two.exr"), image).has_value());
     writeText(fixture, R"({"size": [8, 8], "constants": {"gTint": [1, 1, 1, 1]},
                            "textures": {"PictureSampler": {"image": "two.exr"}}})");
     rig({manifest, fixture, "--goldens", goldens, "--update-goldens"});
