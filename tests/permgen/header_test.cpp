@@ -21,7 +21,7 @@ static_assert(plain->passes[0].pixel.constants[2].bits == 0 && full->passes[0].p
 static_assert(permgen::is_live(plain->passes[0], "Globals") && permgen::is_live(full->passes[0], "Globals"));
 static_assert(!permgen::is_live(plain->passes[0], "CookieSampler"));
 static_assert(permgen::is_live(full->passes[0], "CookieSampler"));
-static_assert(permgen::state_value(plain->passes[0], "DestBlend", "ZERO") == "ONE");
+static_assert(permgen::find_state(plain->passes[0], permgen::StateId::DestBlend)->value == "ONE");
 static_assert(permgen::find_state(plain->passes[0], permgen::StateId::DestBlend)->bits ==
               static_cast<std::uint32_t>(permgen::Blend::One));
 static_assert(!permgen::find_state(plain->passes[0], permgen::StateId::FogEnable));

@@ -135,13 +135,6 @@ constexpr const State* find_state(const Pass& pass, StateId id) {
     return nullptr;
 }
 
-/// The value that a pass gives a state, or `fallback` if it gives none.
-constexpr std::string_view state_value(const Pass& pass, std::string_view name, std::string_view fallback) {
-    for (const State& state : pass.states)
-        if (state.name == name) return state.value;
-    return fallback;
-}
-
 /// True when `resource` survives specialization in `pass`.
 constexpr bool is_live(const Pass& pass, std::string_view resource) {
     for (const Resource* live : pass.live)

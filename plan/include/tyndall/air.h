@@ -5,11 +5,11 @@
 
 namespace tyndall {
 
-/// Of the light on its way, 1/m; 0 without Light::albedo.
+/// The extinction coefficient, 1/m, along both paths: lamp to particle and particle to eye. 0 without Light::albedo.
 double extinction(const Light& light);
 
-/// Henyey and Greenstein's phase function times 4 pi, 1 for g = 0, where light turns by `angle` (radians, 0: straight
-/// on). It only falls with the angle, or only rises.
+/// Henyey and Greenstein's phase function times 4 pi, where light turns by `angle` (radians, 0: straight on). `g` lies
+/// in (-1, 1). For g = 0 it is 1. With g > 0 it falls as the angle grows; with g < 0 it rises.
 double phase(double g, double angle);
 
 }  // namespace tyndall

@@ -18,8 +18,8 @@ struct DepthTiles {
     std::span<const float> farthest;
 };
 
-/// A depth buffer in at most 16 x 9 tiles. Finer tiles do not pay for a light that fills the picture: one costs plan()
-/// about a microsecond.
+/// A depth buffer in at most 16 x 9 tiles. Finer tiles do not pay for a light that fills the picture: each tile costs
+/// plan() about a microsecond for such a light.
 struct DepthSurvey {
     double farthest = 0.0;  ///< for View::sceneDepth: the largest of the tiles, at most the default of that field
     std::uint32_t columns = 0, rows = 0;

@@ -122,7 +122,9 @@ struct PlannedLight {
     double nearDepth = 0.0, farDepth = 0.0;    ///< metres of view depth that the volume's slabs span, drawn or not
     double volumeNear = 0.0, volumeFar = 0.0;  ///< metres along the light's axis: the volume after its clip planes
     double seenNear = 0.0, seenFar = 0.0;      ///< the part of that range that the view can see
-    double firstOccluder = 0.0;                ///< with Term::Shadow: metres along the axis to the first occluder
+    double firstOccluder = 0.0;                ///< with Term::Shadow: a lower bound, in metres along the axis: no
+                                               ///< occluder stands nearer to the lamp. The near plane if nothing is
+                                               ///< known, and with PlanOptions::everything or ::terms
     bool divided = false;                      ///< some of its slices are drawn without shadow
     std::uint32_t firstWall = 0, walls = 0;    ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
@@ -169,8 +171,9 @@ struct Plan {
 /// eight times the picture's half width. Slices that lie beside the picture, or hidden behind Surroundings::depth, are
 /// left out.
 ///
-/// With exact polygons a light with shadow is drawn in two parts: one without the shadow term, for the air that no
-/// occluder can shade, and one with it. The air behind blockers that cover the light's whole pyramid is not drawn.
+/// With exact polygons a light with shadow is drawn in up to two parts (see PlannedLight::divided): one without the
+/// shadow term, for the air that no occluder can shade, and one with it. The air behind blockers that cover the
+/// light's whole pyramid is not drawn.
 ///
 /// A plan a thousand kilometres from the world's origin is as accurate as one at the origin.
 ///

@@ -1,5 +1,5 @@
-// The data that the slice shaders read, as bytes. shaders/slices.fx explains each value; src/effect_contract.cpp
-// asserts at compile time that both agree.
+// The data that the slice shaders read, as bytes. shaders/slices.fx explains each value;
+// runtime/src/effect_contract.cpp asserts at compile time that both agree.
 #pragma once
 
 #include <cstdint>

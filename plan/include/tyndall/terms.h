@@ -1,6 +1,6 @@
 // The terms that the integrand of a light shaft may have, and sets of them. Each term is one switch of ps_main in
 // slices.fx; each set is one permutation and has one technique. One more term is one more enumerator here, its row in
-// src/needs/terms.cpp, and the technique's switch in the shader.
+// plan/src/needs/terms.cpp, and its switch and techniques in the shader.
 #pragma once
 
 #include <array>

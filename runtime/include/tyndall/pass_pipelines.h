@@ -61,7 +61,7 @@ struct PassPipeline {
     const PassLayout* layout = nullptr;
 };
 
-/// How `pipeline` uses the resource of that name, in the sense of permgen::is_live().
+/// Whether `pipeline` reads the resource of that name: permgen::is_live() of its pass.
 bool reads(const PassPipeline& pipeline, std::string_view resource);
 
 class PassPipelines {

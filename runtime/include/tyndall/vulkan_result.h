@@ -7,7 +7,8 @@
 
 namespace tyndall {
 
-/// "VK_ERROR_DEVICE_LOST": the name, for results of the calls made here; others as "VkResult 7".
+/// The result's name, such as "VK_ERROR_DEVICE_LOST". A result that no call of the runtime is expected to return has
+/// its number instead, such as "VkResult -13".
 std::string resultName(VkResult result);
 
 }  // namespace tyndall

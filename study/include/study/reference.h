@@ -33,7 +33,8 @@ enum class Mode {
 /// One corner after the other, world space, metres. Counter-clockwise as seen from its front.
 struct Triangle {
     glm::dvec3 a, b, c;
-    bool bothSides = false;  ///< visible from both sides; every triangle throws a shadow
+    bool bothSides = false;  ///< hides the air behind it from both sides, not only from its front; every triangle
+                             ///< throws a shadow
 };
 
 /// Half angles in radians: full light within `inner`, no light beyond `outer`, and the falloff of KHR_lights_punctual
