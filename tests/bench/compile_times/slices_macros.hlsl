@@ -10,6 +10,9 @@
 #ifndef COOKIE
 #define COOKIE 0
 #endif
+#ifndef SCATTERING
+#define SCATTERING 0
+#endif
 
 [[vk::binding(0, 0)]] cbuffer Globals
 {
@@ -26,6 +29,8 @@
     float4   gColour;
     float4   gWeight;
     float4   gShadow;
+    float4   gScattering;
+    float4   gEye;
 };
 [[vk::binding(1, 0)]] Texture2D CookieTexture;
 [[vk::binding(1, 0)]] SamplerState CookieSampler;
@@ -100,6 +105,26 @@ float light_through(float2 uv, float depth)
 }
 #endif
 
+#if SCATTERING
+float3 unit(float3 v)
+{
+    return v * rsqrt(max(dot(v, v), 1e-30));
+}
+
+float scattering(float3 position)
+{
+    bool parallel = gScattering.w > 0.0;
+    float3 toEye = parallel ? gEye.xyz : gEye.xyz - position;
+    float eyeDistance = parallel ? gEye.w - dot(gEye.xyz, position) : length(toEye);
+    float away = gScattering.x < 0.0 ? -1.0 : 1.0;
+    float strength = abs(gScattering.x);
+    float3 chord = unit(position) - away * unit(toEye);
+    float base = gScattering.z * gScattering.z + strength * dot(chord, chord);
+    float phase = gScattering.z / base * ((1.0 + strength) / sqrt(base));
+    return phase * exp(-gScattering.y * (length(position) + eyeDistance));
+}
+#endif
+
 float4 ps_main(SlicePoint p) : SV_Target0
 {
 #if NOISE
@@ -122,9 +147,13 @@ float4 ps_main(SlicePoint p) : SV_Target0
     float mask = p.lsPos_depth.w > 0.0 ? shadow * compositeNoise : 0.0;
     float3 d = p.lsPos_depth.xyz * gAttenuation.z;
     float atten = gAttenuation.x / dot(d, d) + gAttenuation.y;
+    float scattered = 1.0;
+#if SCATTERING
+    scattered = scattering(p.lsPos_depth.xyz);
+#endif
     float thickness = gWeight.y > 0.0 ? p.slab.w : 1.0;
     float slant = gWeight.z > 0.0 ? length(p.slab.xyz) : 1.0;
-    float intensity = mask * atten * (gWeight.x * thickness * slant);
+    float intensity = mask * atten * scattered * (gWeight.x * thickness * slant);
     float3 colour = gColour.rgb * cookie * intensity;
     float grey = dot(colour, float3(0.2126, 0.7152, 0.0722));
     return p.channelMask * float4(gColour.w > 0.0 ? float3(grey, grey, grey) : colour, grey);
