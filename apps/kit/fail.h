@@ -20,4 +20,10 @@ tl::unexpected<Error> fail(fmt::format_string<Args...> text, Args&&... args) {
     return failWith(fmt::format(text, std::forward<Args>(args)...));
 }
 
+/// The same with another code than InvalidArgument.
+template <class... Args>
+tl::unexpected<Error> fail(ErrorCode code, fmt::format_string<Args...> text, Args&&... args) {
+    return tl::unexpected(Error{code, fmt::format(text, std::forward<Args>(args)...)});
+}
+
 }  // namespace tyndall

@@ -2,8 +2,8 @@
 
 #include <kit/fail.h>
 #include <fmt/format.h>
-#include <back/names.h>
-#include <back/spirv_module.h>
+#include <common/names.h>
+#include <common/spirv_module.h>
 
 #include <optional>
 #include <spirv/unified1/spirv.hpp>

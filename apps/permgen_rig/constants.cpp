@@ -2,7 +2,7 @@
 
 #include <kit/fail.h>
 #include <fmt/format.h>
-#include <front/nearest.h>
+#include <common/nearest.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "json_value.h"
 
-#include <front/nearest.h>
+#include <common/nearest.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The program: command line in, verdicts out.
 #include <fmt/format.h>
-#include <front/nearest.h>
+#include <common/nearest.h>
 #include <permgen/manifest.h>
 #include <rig/report.h>
 
@@ -12,7 +12,6 @@
 #include <filesystem>
 
 #include "checks.h"
-#include "effect_renderer.h"
 #include "fixture.h"
 #include "options.h"
 #include "effect_renderer.h"

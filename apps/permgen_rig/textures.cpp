@@ -2,8 +2,8 @@
 
 #include <kit/fail.h>
 #include <fmt/format.h>
-#include <back/names.h>
-#include <front/nearest.h>
+#include <common/names.h>
+#include <common/nearest.h>
 
 #include <algorithm>
 

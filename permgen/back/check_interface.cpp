@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <spirv/unified1/spirv.hpp>
 
-#include "back/names.h"
+#include "common/names.h"
 
 namespace permgen {
 namespace {

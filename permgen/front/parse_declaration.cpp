@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "front/nearest.h"
+#include "common/nearest.h"
 #include "front/parse.h"
 #include "front/report.h"
 

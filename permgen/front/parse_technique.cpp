@@ -7,7 +7,7 @@
 
 #include "d3d9/profiles.h"
 #include "d3d9/states.h"
-#include "front/nearest.h"
+#include "common/nearest.h"
 #include "front/parse_declaration.h"
 #include "front/report.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "d3d9/states.h"
-#include "front/nearest.h"
+#include "common/nearest.h"
 #include "front/parse_cursor.h"
 #include "front/preprocess_expression.h"
 #include "front/report.h"

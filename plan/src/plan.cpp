@@ -2,7 +2,7 @@
 
 #include "check/plan_check.h"
 #include "geometry/capacity.h"
-#include "geometry/plan_geometry.h"
+#include "plan_geometry.h"
 #include "plan_groups.h"
 #include "plan_stages.h"
 #include "slice_constants.h"

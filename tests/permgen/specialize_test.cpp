@@ -7,7 +7,7 @@
 #include "back/compile.h"
 #include "back/program.h"
 #include "back/reflect.h"
-#include "back/spirv_module.h"
+#include "common/spirv_module.h"
 #include "back/validate.h"
 #include "small_effect.h"
 

@@ -1,4 +1,4 @@
-#include <emit/write_files.h>
+#include <common/write_files.h>
 #include <kit/image/files.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ Result<std::filesystem::path> written(const std::string& path) {
         if (error) return at;
         at = next.is_absolute() ? next : at.parent_path() / next;
     }
-    return fail("{}: is a link that leads round in a circle; choose another place", path);
+    return fail(ErrorCode::File, "{}: is a link that leads round in a circle; choose another place", path);
 }
 
 /// Beside the file, to try whether its folder can be written.
@@ -35,15 +35,15 @@ Result<void> checkWritable(const std::string& path) {
     std::error_code error;
     const auto target = written(path);
     if (!target) return tl::unexpected(target.error());
-    if (std::filesystem::is_directory(*target, error)) return fail("{}: is a folder; name a file", path);
+    if (std::filesystem::is_directory(*target, error)) return fail(ErrorCode::File, "{}: is a folder; name a file", path);
     // The rename that ends the writing would put a plain file in a device's or a pipe's place.
     if (std::filesystem::exists(*target, error) && !std::filesystem::is_regular_file(*target, error))
-        return fail("{}: is no plain file; choose another place", path);
+        return fail(ErrorCode::File, "{}: is no plain file; choose another place", path);
     const std::string partial = besidePath(*target);
     errno = 0;
     const bool opened = std::ofstream(partial).is_open();
     const int reason = errno;
-    if (!opened) return fail("{}: cannot be written: {}; choose another place", path, std::strerror(reason));
+    if (!opened) return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, std::strerror(reason));
     std::filesystem::remove(partial, error);
     return {};
 }
@@ -63,9 +63,9 @@ Result<void> writeFile(const std::string& path, std::string_view bytes) {
     const std::filesystem::path folder = target->has_parent_path() ? target->parent_path() : ".";
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
-        return fail("{}: cannot be written: {} is no folder; choose another place", path, folder.string());
-    const std::string why = permgen::write_files({{target->string(), std::string(bytes)}});
-    if (!why.empty()) return fail("{}: cannot be written: {}; choose another place", path, why);
+        return fail(ErrorCode::File, "{}: cannot be written: {} is no folder; choose another place", path, folder.string());
+    if (const auto done = permgen::write_files({{target->string(), std::string(bytes)}}); !done)
+        return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, done.error().message);
     return {};
 }
 

@@ -20,12 +20,12 @@ constexpr std::size_t maxValues = std::size_t{1} << 30;
 /// The image library's name of the format that the first bytes announce.
 Result<const char*> formatOf(const std::string& path) {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return fail("{}: is a folder; name a picture", path);
+    if (std::filesystem::is_directory(path, error)) return fail(ErrorCode::File, "{}: is a folder; name a picture", path);
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-        return fail("{}: is no plain file; name a picture", path);
+        return fail(ErrorCode::File, "{}: is no plain file; name a picture", path);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
-    if (!file) return fail("{}: cannot be read: {}; check the path", path, std::strerror(errno));
+    if (!file) return fail(ErrorCode::File, "{}: cannot be read: {}; check the path", path, std::strerror(errno));
     std::array<char, 4> start{};
     file.read(start.data(), start.size());
     if (std::memcmp(start.data(), "\x76\x2f\x31\x01", 4) == 0) return "openexr";
@@ -86,10 +86,10 @@ Result<ReadPicture> readPicture(const std::string& path) {
     if (!format) return tl::unexpected(format.error());
     const bool png = std::string_view(*format) == "png";
     auto file = OIIO::ImageInput::create(*format);
-    if (!file) return fail("{}: cannot be read: {}", path, OIIO::geterror());
+    if (!file) return fail(ErrorCode::File, "{}: cannot be read: {}", path, OIIO::geterror());
     OIIO::ImageSpec spec, settings;
     settings.attribute("oiio:UnassociatedAlpha", 1);  // colours are compared as stored
-    if (!file->open(path, spec, settings)) return fail("{}: cannot be read: {}", path, reason(*file));
+    if (!file->open(path, spec, settings)) return fail(ErrorCode::File, "{}: cannot be read: {}", path, reason(*file));
     const bool severalParts = file->seek_subimage(1, 0);
     if (!severalParts) file->geterror();  // asked for on purpose
     if (auto checked = checkLayout(path, spec, severalParts); !checked) return tl::unexpected(checked.error());
@@ -105,7 +105,7 @@ Result<ReadPicture> readPicture(const std::string& path) {
     picture.image = {spec.width, spec.height, spec.nchannels, {}};
     picture.image.values.resize(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
     if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, picture.image.values.data()))
-        return fail("{}: cannot be read: {}; write it again", path, reason(*file));
+        return fail(ErrorCode::File, "{}: cannot be read: {}; write it again", path, reason(*file));
     if (png) decodeSrgb(picture.image, spec.alpha_channel);
     return picture;
 }

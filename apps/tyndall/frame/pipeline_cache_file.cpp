@@ -46,14 +46,14 @@ Result<std::vector<std::byte>> readFile(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found) return {};
-    if (status.type() == std::filesystem::file_type::none) return fail("cannot be read: {}", error.message());
-    if (status.type() != std::filesystem::file_type::regular) return fail("is no plain file");
+    if (status.type() == std::filesystem::file_type::none) return fail(ErrorCode::File, "cannot be read: {}", error.message());
+    if (status.type() != std::filesystem::file_type::regular) return fail(ErrorCode::File, "is no plain file");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error || size > maxBytes) return fail("is larger than any pipeline cache");
     std::vector<std::byte> bytes(size);
     std::ifstream file(path, std::ios::binary);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!file || file.gcount() != static_cast<std::streamsize>(size)) return fail("cannot be read");
+    if (!file || file.gcount() != static_cast<std::streamsize>(size)) return fail(ErrorCode::File, "cannot be read");
     return bytes;
 }
 

@@ -105,9 +105,10 @@ void setSurface(Uniforms& uniforms, const MeshInstance& instance, const Material
     uniforms.set("gAmbient", glm::dvec4(ambient, 0.0));
 }
 
-std::string lightTechnique(bool shadow, bool cookie, bool texture) {
-    return fmt::format("light_{}shadow_{}cookie_{}texture_technique", shadow ? "" : "no", cookie ? "" : "no",
-                       texture ? "" : "no");
+/// A key of scene.fx always has a technique.
+template <class Key>
+const permgen::Pass& passOf(const Key& key) {
+    return scene_effect::technique(*scene_effect::find_technique(key)).passes[0];
 }
 
 /// One instance, in the base pass or lit by one light.
@@ -166,7 +167,7 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
         draw.uniforms = {pass.uniforms.handle(), offset, blockBytes};
         offset += block;
         if (textured) draw.images.push_back(named("BaseColourSampler", gpu.images[*material.baseTexture].view()));
-        std::string technique = textured ? "base_texture_technique" : "base_notexture_technique";
+        const permgen::Pass* pixels = &passOf(scene_effect::ps_base_key{.bTexture = textured});
         if (one.light) {
             const std::size_t l = *one.light;
             setLight(uniforms, viewed.lights[l], lights[l].walls, viewed.view, shadowSize);
@@ -175,12 +176,12 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
             const std::optional<std::size_t> cookie = scene.lights[l].cookie;
             if (shadow) draw.images.push_back(named("ShadowMapSampler", map));
             if (cookie) draw.images.push_back(named("CookieSampler", gpu.images[*cookie].view()));
-            technique = lightTechnique(shadow, cookie.has_value(), textured);
+            pixels = &passOf(scene_effect::ps_light_key{
+                .bShadowMapping = shadow, .bCookie = cookie.has_value(), .bTexture = textured});
         }
         // How a mesh is culled is its own affair; depth is reversed.
         const PassTarget target{.colours = {colour}, .depth = depth, .dynamicCulling = true};
-        const auto pipeline =
-            pipelines.get(permgen::find_technique(scene_effect::effect, technique)->passes[0], target, elements);
+        const auto pipeline = pipelines.get(*pixels, target, elements);
         if (!pipeline) return fail("the surfaces: {}", pipeline.error().message);
         draw.pipeline = *pipeline;
         pass.draws.push_back(std::move(draw));

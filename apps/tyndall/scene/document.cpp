@@ -47,7 +47,7 @@ Result<Document> readDocument(const std::string& path) {
     } catch (const std::bad_alloc&) {
         return fail("{}: needs more memory than there is; shrink its textures and meshes", path);
     } catch (const std::exception& broken) {
-        return fail("{}: cannot be read ({}); export the file again", path, oneLine(broken.what()));
+        return fail(ErrorCode::File, "{}: cannot be read ({}); export the file again", path, oneLine(broken.what()));
     }
     return document;
 }

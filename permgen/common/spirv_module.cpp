@@ -1,4 +1,4 @@
-#include "back/spirv_module.h"
+#include "common/spirv_module.h"
 
 #include <spirv/unified1/spirv.hpp>
 

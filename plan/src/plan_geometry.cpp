@@ -1,4 +1,4 @@
-#include "geometry/plan_geometry.h"
+#include "plan_geometry.h"
 
 #include <cmath>
 
