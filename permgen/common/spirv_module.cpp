@@ -2,7 +2,7 @@
 
 #include <spirv/unified1/spirv.hpp>
 
-#include "lower/lowered.h"
+#include "common/names.h"
 
 namespace permgen {
 
