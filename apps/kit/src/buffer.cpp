@@ -11,8 +11,7 @@ namespace headless {
 Result<Buffer> Buffer::create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, MemoryPlace place,
                               std::string_view name) {
     if (size == 0)
-        return tl::unexpected(
-            Error{ErrorCode::InvalidArgument, "a buffer needs at least one byte, this one was given 0", VK_SUCCESS});
+        return tl::unexpected(Error{ErrorCode::InvalidArgument, "a buffer needs at least one byte, not 0", VK_SUCCESS});
     Buffer buffer;
     buffer.core_ = device.core();
     buffer.size_ = size;

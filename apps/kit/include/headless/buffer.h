@@ -11,7 +11,7 @@ namespace headless {
 
 enum class MemoryPlace {
     Host,    ///< mapped for as long as the buffer lives, coherent
-    Device,  ///< the GPU's own, not mapped
+    Device,  ///< the GPU's own memory, not mapped
 };
 
 class Buffer {
