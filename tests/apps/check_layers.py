@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Includes inside apps/tyndall go one way: scene/ <- frame/ <- command/. This fails on one that goes backwards.
+"""Includes inside apps/tyndall go one way: scene/ <- frame/ <- command/. This fails on any other include.
 
 Usage: check_layers.py APPS_TYNDALL_FOLDER
 """
@@ -12,7 +12,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def included_layer(root, file, quote, name):
-    """The layer that the include leads to, or None where it leads out of the program."""
+    """The layer of the included file, or None if it is outside the program."""
     candidates = [root.parent / name] if quote == "<" else [file.parent / name, root.parent / name]
     for candidate in candidates:
         try:

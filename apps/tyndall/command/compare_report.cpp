@@ -66,7 +66,7 @@ std::string bandText(const Comparison& comparison) {
 
 std::string deadZoneText(const Comparison& comparison) {
     const study::DeadZone& dead = comparison.metrics.deadZone;
-    return fmt::format("{} values ({:.3g} %) are 0 where the reference is not, which is up to {:.3g} at {}", dead.count,
+    return fmt::format("{} values ({:.3g} %) are 0 but not in the reference, which is up to {:.3g} at {}", dead.count,
                        100.0 * dead.share, std::abs(dead.largest.reference), placeText(comparison, dead.largest.place));
 }
 
@@ -92,7 +92,7 @@ ordered_json figuresReport(const Comparison& comparison, const CompareOptions& o
     return report;
 }
 
-/// The members of figuresReport() for pictures without a place where both values are finite.
+/// The members of figuresReport() for pictures that have no finite pair of values.
 ordered_json noFigures(const CompareOptions& options) {
     return {{"relativeL2", nullptr},
             {"relativeMeanSquare", nullptr},
