@@ -28,7 +28,7 @@ double radiance(int x, int y, double nearPlane, double farPlane) {
     return 0.1 / (4.0 * std::numbers::pi) * 100.0 * (1.0 / nearPlane - 1.0 / farPlane) / std::sqrt(1.0 + u * u + v * v);
 }
 
-/// The wall's scene with a hard-edged light from 1 to 10 m; the wall stands at 5 m.
+/// The wall's scene with a hard-edged light from 1 to 10 m; the wall is at 5 m.
 Glb openScene(const char* shadow) {
     Glb glb = wallScene();
     glb.json["nodes"][2]["extras"]["tyndall"] = {

@@ -90,7 +90,7 @@ TEST(Render, ABlockerDarkensTheAirBehindItAndTheWall) {
     glb.json["nodes"][2]["extras"]["tyndall"] = {{"shape", "frustum"}, {"density", 0.1}, {"near", 1.0}};
     const std::size_t square = glb.addSquare(0.3f);
     glb.addNode({{"name", "Blocker"}, {"mesh", square}, {"translation", {0, 0, -2}}});
-    // The eye stands aside and looks at the wall's middle past the blocker.
+    // The eye is aside and looks at the wall's middle past the blocker.
     glb.json["nodes"][1]["translation"] = {3, 0, 0};
     glb.json["nodes"][1]["rotation"] = {0, std::sin(0.27), 0, std::cos(0.27)};  // 2 * 0.27 = atan(3/5)
     const Pixels shadowed = render(glb, {});

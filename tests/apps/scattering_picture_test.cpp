@@ -27,7 +27,7 @@ struct Air {
 };
 
 /// An eye at the origin that looks along -Z over 60 degrees. The lamp is at `lamp`, turned by `turn` degrees about +Y
-/// from -Z, its beam 40 degrees wide; a square of 0.6 m stands at `square`.
+/// from -Z, its beam 40 degrees wide; a square of 0.6 m is at `square`.
 std::string beamScene(const Air& air, const std::array<double, 3>& lamp, double turn, double near, double far,
                       const std::array<double, 3>& square) {
     Glb glb;

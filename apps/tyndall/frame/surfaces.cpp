@@ -146,7 +146,7 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
     const VkDeviceSize block = (blockBytes + alignment - 1) / alignment * alignment;
     if (pass.uniforms.size() < block * draws.size()) {
         auto buffer = headless::Buffer::create(device, block * draws.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                                               headless::MemoryPlace::Host, "surface uniforms");
+                                               headless::MemoryKind::Host, "surface uniforms");
         if (!buffer) return fail("the surfaces' constants: {}", buffer.error().message);
         pass.uniforms = std::move(*buffer);
     }
