@@ -1,4 +1,4 @@
-// How the programs' own parts fail: with one sentence, meant for the person at the terminal.
+// Errors of the programs' own parts: one sentence for the user at the terminal.
 #pragma once
 
 #include <fmt/format.h>

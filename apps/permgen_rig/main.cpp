@@ -29,7 +29,7 @@ struct Failing {
     throw Failing{sentence};
 }
 
-/// The effect with the techniques that are asked for, and no others.
+/// The effect with the requested techniques only.
 permgen::Effect chosen(const permgen::Effect& effect, const Options& options) {
     if (options.technique.empty()) return effect;
     std::vector<std::string_view> names;
@@ -58,7 +58,7 @@ headless::Device openDevice(const Options& options) {
     wanted.deviceName = options.device;
     wanted.preferSoftware = true;
     wanted.validation = true;
-    wanted.skipInvalidCalls = true;  // a driver need not survive what validation objects to
+    wanted.skipInvalidCalls = true;  // a driver may crash on invalid calls
     auto device = headless::Device::create(wanted);
     if (device) return std::move(*device);
     const std::string reason = device.error().message;
@@ -97,7 +97,7 @@ std::vector<std::pair<std::string, std::string>> switches(const permgen::Techniq
     return named;
 }
 
-/// From wherever the command is given again.
+/// An absolute path, so that the command works in any folder.
 std::string absolute(const std::string& path) {
     std::error_code ignored;
     return path.empty() ? path : std::filesystem::absolute(path, ignored).lexically_normal().string();
@@ -134,7 +134,7 @@ void report(const Options& options, const permgen::Effect& effect, const permgen
     if (!reported) stop(reported.error().message);
 }
 
-/// A technique that was renamed or taken out never passes again: its failures would stay in the report for good.
+/// A renamed or removed technique never passes again, so its failures would stay in the report.
 void forgetOtherTechniques(const Options& options, const permgen::Effect& effect) {
     if (options.report.empty()) return;
     std::vector<std::string> names;
@@ -195,7 +195,7 @@ Status run(const Options& options) {
 }  // namespace tyndall::rig
 
 int main(int argc, char** argv) {
-    // Writing past a size limit or into a closed pipe is an error to report, not a reason to die halfway.
+    // Writing past a size limit or into a closed pipe is reported as an error instead of ending the program.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     tyndall::rig::Options options;
@@ -207,7 +207,7 @@ int main(int argc, char** argv) {
     } catch (const tyndall::rig::Failing& failing) {
         fmt::print(stderr, "permgen-rig: error: {}\n", failing.sentence);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "permgen-rig: error: {}; this is a fault of permgen-rig, please report it\n", error.what());
+        fmt::print(stderr, "permgen-rig: error: {}; this is a bug in permgen-rig, please report it\n", error.what());
     }
     return tyndall::rig::NothingTried;
 }

@@ -1,4 +1,4 @@
-// Image files keep every bit, and the same image makes the same file.
+// Image files keep every bit, and equal images give equal files.
 #include <gtest/gtest.h>
 #include <rig/image.h>
 

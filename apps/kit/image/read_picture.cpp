@@ -14,15 +14,15 @@ namespace tyndall {
 namespace {
 
 constexpr int maxChannels = 64;
-/// 4 GiB of floats: a broken header of a few bytes must not ask for all memory there is.
+/// 4 GiB of floats: a broken header of a few bytes must not allocate all memory.
 constexpr std::size_t maxValues = std::size_t{1} << 30;
 
-/// The image library's name of the format that the first bytes announce.
+/// The image library's name of the format, found from the file's first bytes.
 Result<const char*> formatOf(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return fail(ErrorCode::File, "{}: is a folder; name a picture", path);
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-        return fail(ErrorCode::File, "{}: is no plain file; name a picture", path);
+        return fail(ErrorCode::File, "{}: is not a plain file; name a picture", path);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file) return fail(ErrorCode::File, "{}: cannot be read: {}; check the path", path, std::strerror(errno));
@@ -33,7 +33,7 @@ Result<const char*> formatOf(const std::string& path) {
     return fail("{}: is neither OpenEXR nor PNG; convert it to one of them", path);
 }
 
-/// What the image library says, as the part of a sentence.
+/// The image library's message, as a part of a sentence.
 std::string reason(OIIO::ImageInput& file) {
     std::string text = file.geterror();
     text = text.substr(0, text.find('\n'));
@@ -41,9 +41,7 @@ std::string reason(OIIO::ImageInput& file) {
 }
 
 Result<void> checkLayout(const std::string& path, const OIIO::ImageSpec& spec, bool severalParts) {
-    if (severalParts)
-        return fail("{}: holds several parts, and which one is meant is not said; extract it into a file of its own",
-                    path);
+    if (severalParts) return fail("{}: has several parts; extract one part into a file of its own", path);
     if (spec.deep) return fail("{}: holds deep samples; flatten it first", path);
     const int side = static_cast<int>(longestSide);
     if (spec.width < 1 || spec.height < 1 || spec.width > side || spec.height > side)
@@ -67,7 +65,7 @@ Result<std::string> exrEncoding(const std::string& path, const OIIO::ImageSpec& 
     for (int c = 0; c < spec.nchannels; ++c) {
         const OIIO::TypeDesc type = spec.channelformat(c);
         if (type != OIIO::TypeDesc::HALF && type != OIIO::TypeDesc::FLOAT)
-            return fail("{}: its channel {} holds whole numbers, not light; leave it out", path, spec.channel_name(c));
+            return fail("{}: its channel {} holds integers, not light; leave it out", path, spec.channel_name(c));
         half = half && type == OIIO::TypeDesc::HALF;
         single = single && type == OIIO::TypeDesc::FLOAT;
     }
@@ -91,7 +89,7 @@ Result<ReadPicture> readPicture(const std::string& path) {
     settings.attribute("oiio:UnassociatedAlpha", 1);  // colours are compared as stored
     if (!file->open(path, spec, settings)) return fail(ErrorCode::File, "{}: cannot be read: {}", path, reason(*file));
     const bool severalParts = file->seek_subimage(1, 0);
-    if (!severalParts) file->geterror();  // asked for on purpose
+    if (!severalParts) file->geterror();  // the error is expected
     if (auto checked = checkLayout(path, spec, severalParts); !checked) return tl::unexpected(checked.error());
 
     ReadPicture picture;

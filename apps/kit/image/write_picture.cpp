@@ -25,7 +25,7 @@ Result<void> writeRaster(const std::string& path, const Raster& raster) {
     if (!file) return fail(ErrorCode::File, "{}: cannot be written: {}", path, OIIO::geterror());
     OIIO::ImageSpec spec(raster.width, raster.height, static_cast<int>(raster.channels.size()), raster.type);
     spec.channelnames = raster.channels;
-    spec.attribute("DateTime", "");  // or the library writes the present one, and no two files are alike
+    spec.attribute("DateTime", "");  // the library would write the current time, and no two files would be equal
     spec.attribute("oiio:ColorSpace", png ? "sRGB" : "Linear");
     if (!png) spec.attribute("compression", "zip");
     if (!file->set_ioproxy(&bytes) || !file->open(png ? "memory.png" : "memory.exr", spec) ||

@@ -18,7 +18,7 @@ Result<void> checkDifference(const std::string& path, const CompareOptions& opti
     return checkWritable(path);
 }
 
-/// Returns what the picture shows.
+/// Returns a sentence about the picture.
 Result<std::string> writeDifference(const std::string& path, const Comparison& comparison,
                                      const CompareOptions& options) {
     const Image signedDifference = difference(comparison.image.image, comparison.reference.image);

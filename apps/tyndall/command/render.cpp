@@ -15,7 +15,7 @@
 namespace tyndall::app {
 namespace {
 
-/// What cannot be used as a cache is a note later on; another file's place is a mistake in the command.
+/// An unusable cache file gives only a note later; the path of the scene or an output is an error.
 Result<void> checkPipelineCache(const RenderOptions& options) {
     if (!options.pipelineCache || *options.pipelineCache == noPipelineCache) return {};
     const std::string& cache = *options.pipelineCache;
@@ -30,7 +30,7 @@ Result<void> checkPipelineCache(const RenderOptions& options) {
 }  // namespace
 
 Result<CommandOutput> render(const RenderOptions& options) {
-    // What can be known to fail is asked first: rendering takes seconds.
+    // Checks come first, because rendering takes seconds.
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());
     if (auto checked = checkPipelineCache(options); !checked) return tl::unexpected(checked.error());

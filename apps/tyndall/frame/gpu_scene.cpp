@@ -5,8 +5,8 @@
 namespace tyndall::app {
 namespace {
 
-/// Half floats: linear filtering of them is there on every device (Vulkan 1.3, table 65), of full floats
-/// it is not, and 8 bits would band in dark linear values.
+/// Half floats: every device filters them linearly (Vulkan 1.3, table 65), but not full floats. 8 bits would show
+/// bands in dark linear values.
 constexpr VkFormat imageFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 Result<headless::Image> uploadImage(const headless::Device& device, const Image& source) {

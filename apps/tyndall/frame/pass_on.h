@@ -1,4 +1,4 @@
-// Errors of the libraries below as this program's sentences.
+// Turns errors of the libraries into this program's messages.
 #pragma once
 
 #include <tyndall/result.h>
@@ -8,7 +8,7 @@
 
 namespace tyndall::app {
 
-/// The value, or the error with `what` before its sentence. Its code and the API's own result stay.
+/// The value, or the error with `what` before its sentence. Its code and the API's result stay.
 template <class T>
 Result<T> passOn(Result<T> result, const char* what) {
     return std::move(result).map_error([what](Error error) {

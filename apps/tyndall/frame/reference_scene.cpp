@@ -8,7 +8,7 @@
 namespace tyndall::app {
 namespace {
 
-/// What the device reads: the scene's textures are half floats there.
+/// The device's values: its textures are half floats.
 Image asUploaded(Image image) {
     for (float& value : image.values) value = glm::unpackHalf1x16(glm::packHalf1x16(value));
     return image;

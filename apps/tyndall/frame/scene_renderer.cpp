@@ -16,7 +16,7 @@
 namespace tyndall::app {
 namespace {
 
-/// The step that the display shows of a picture at its exposure; 0 where it shows nothing, or where nothing is shown.
+/// The display's step at the picture's exposure; 0 for a black picture, or if nothing is displayed.
 double stepOf(const Image& picture, const ShaftOptions& shafts) {
     if (!shafts.displayed) return 0.0;
     if (shafts.exposure) return displayStep(*shafts.exposure);
@@ -31,7 +31,7 @@ std::vector<std::size_t> mapsCalledFor(std::span<const SurfaceLight> surfaceLigh
     return lights;
 }
 
-/// What the slices look up. Where nothing stands in a light's volume its map would be empty, and none is needed.
+/// The slices' textures. A light with nothing in its volume needs no shadow map.
 std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
     if (planned.options.everything) return mapsCalledFor(planned.surfaceLights);
     std::vector<std::size_t> lights;
@@ -110,7 +110,7 @@ Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions
     return replanWithDepth(planned, std::move(depth), std::min(stepOf(surfaces, shafts), maxStep), view, shafts);
 }
 
-/// All that drawShafts() will draw with, on all cores.
+/// Makes all pipelines for drawShafts(), on all cores.
 Result<void> SceneRenderer::preparePipelines(const Plan& plan) {
     std::vector<TermSet> terms;
     for (const PlannedPart& part : plan.parts) terms.push_back(part.terms);
@@ -184,8 +184,8 @@ Result<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view
                                    bool measure) {
     startFrame();
     if (auto updated = updateSceneFacts(planned, view, shafts); !updated) return tl::unexpected(updated.error());
-    // What is too faint is judged by the exposure of the surfaces alone. The shafts brighten the picture, and so darken
-    // its exposure, as a rule; where they do not, it is drawn again, more carefully, and at last with nothing left out.
+    // The plan leaves out faint light by the exposure of the surfaces only. Usually the shafts brighten the picture and
+    // so lower its exposure. If not, it is drawn again with a smaller step, and finally with nothing left out.
     double maxStep = std::numeric_limits<double>::infinity();
     for (;;) {
         ++frame_.rounds;

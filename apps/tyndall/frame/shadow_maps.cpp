@@ -40,7 +40,7 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
         size_ = size;
     }
     slotOf_.resize(viewed.lights.size());
-    // Those that are there already first: none of them may be given away.
+    // Lights that have a map keep it; only other maps are reassigned.
     for (const std::size_t light : lights)
         if (slotOf_[light]) slots_[*slotOf_[light]].frame = frame_;
     struct Stale {
@@ -65,7 +65,7 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
             stale.push_back({light, *slot, occluders, casters});
     }
     if (stale.empty()) return 0.0;
-    // What earlier maps were drawn with is not needed any more; an empty plan makes the memory free.
+    // The data of earlier maps is not needed any more; an empty plan frees its memory.
     if (auto reset = renderer.upload(data_, Plan{}); !reset) return fail("the shadow maps: {}", reset.error().message);
     const auto time = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
         for (const Stale& map : stale) {

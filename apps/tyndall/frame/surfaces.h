@@ -1,4 +1,4 @@
-// Draws a scene's surfaces as its lights light them.
+// Draws a scene's lit surfaces.
 #pragma once
 
 #include <headless/buffer.h>
@@ -23,7 +23,7 @@ struct SurfaceTargets {
     VkImageView depth = VK_NULL_HANDLE;   ///< cleared to 0, the far end; layout DEPTH_ATTACHMENT_OPTIMAL
 };
 
-/// What one draw reads, prepared before recording.
+/// The data of one draw, prepared before recording.
 struct SurfaceDraw {
     PassPipeline pipeline;
     std::size_t instance = 0;
@@ -31,7 +31,7 @@ struct SurfaceDraw {
     std::vector<NamedImage> images;
 };
 
-/// Grows as needed, and may be prepared again once what was recorded with it is done.
+/// Grows as needed. It may be prepared again when the commands recorded with it have finished.
 struct SurfacePass {
     headless::Buffer uniforms;
     std::vector<SurfaceDraw> draws;
@@ -42,14 +42,14 @@ struct SurfaceInputs {
     std::span<const SurfaceLight> lights;  ///< one for each of viewed.lights
     const ShadowMaps& maps;
     std::uint32_t shadowSize = 0;
-    bool lit = true;  ///< false: surfaces are black and only hide what is behind them
+    bool lit = true;  ///< false: surfaces are black and only occlude
 };
 
 /// The pipelines of scene.fx, made with `cache`, which may be null.
 Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache);
 
-/// Prepares one base draw for each instance, and one for each light that reaches the picture and the instance. `gpu`
-/// has the images that they call for. The pipelines draw into targets of those two formats.
+/// Prepares one base draw for each instance, and one for each light that lights the instance in the picture. `gpu`
+/// has the images that they need. The pipelines draw into targets of those two formats.
 Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
                               const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass);
 

@@ -1,4 +1,4 @@
-// From a file and options to what a camera sees: what all commands on scenes have in common.
+// From a file and options to a camera's view: the common part of all commands on scenes.
 #pragma once
 
 #include <tyndall/light.h>

@@ -56,7 +56,7 @@ Result<std::vector<double>> readNumbers(const tinygltf::Model& model, int access
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     const int stored = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
     if (stored != components)
-        return fail("{} has {} components where {} belong; export the file again", what, stored, components);
+        return fail("{} has {} components instead of {}; export the file again", what, stored, components);
     const Elements from = elements(model, source);
     std::vector<double> values;
     values.reserve(source.count * static_cast<std::size_t>(components));

@@ -8,8 +8,8 @@
 namespace tyndall::app {
 namespace {
 
-/// Texels a side without a given cookie: half a degree a texel would show in a 90 degree cone at 180;
-/// this is a fifth of a degree.
+/// Texels a side without a given cookie. A 90 degree cone with 180 texels would have visible texels of half a degree;
+/// here they are a fifth of a degree.
 constexpr int smallestSide = 512;
 /// Samples a side of each texel, so that the edge of a hard cone is smooth.
 constexpr int samples = 4;

@@ -1,4 +1,4 @@
-// What extras.tyndall says about a light, as written: absent stays absent.
+// A light's extras.tyndall as written; absent settings stay absent.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -30,7 +30,7 @@ struct LightExtras {
     std::vector<glm::dvec4> clipPlanes;
 };
 
-/// Reads the object; `place` names the light in messages. A key that has no meaning becomes a warning, a
+/// Reads the object; `place` names the light in messages. An unknown key gives a warning, a
 /// value of the wrong kind an error.
 Result<LightExtras> readLightExtras(const nlohmann::json& extras, const std::string& place,
                                      std::vector<std::string>& warnings);

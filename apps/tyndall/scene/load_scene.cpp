@@ -102,9 +102,9 @@ private:
         scene_.ignoredLights.push_back(
             {nodeName(model(), node),
              parallel
-                 ? "a directional light has no place to project from, so it throws no shafts and lights no surface; "
+                 ? "a directional light has no position to project from, so it makes no shafts and lights no surface; "
                    "use a spot light far away"
-                 : fmt::format("a {} light shines everywhere, so it throws no shafts and lights no surface; "
+                 : fmt::format("a {} light shines in all directions, so it makes no shafts and lights no surface; "
                                "use a spot light",
                                type)});
     }

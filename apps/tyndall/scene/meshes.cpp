@@ -140,7 +140,7 @@ Result<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t ind
         if (!primitive.targets.empty()) warnings.push_back(user + " has morph targets; it is drawn in its rest shape");
         if (primitive.material >= 0 &&
             model.materials[static_cast<std::size_t>(primitive.material)].alphaMode != "OPAQUE")
-            warnings.push_back(user + " has a transparent material; it is drawn opaque and throws shadows");
+            warnings.push_back(user + " has a transparent material; it is drawn opaque and casts shadows");
         auto mesh = readPrimitive(model, primitive, user, texture);
         if (!mesh) return tl::unexpected(mesh.error());
         if (!mesh->indices.empty()) meshes.push_back(std::move(*mesh));

@@ -22,7 +22,7 @@ Result<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std
 Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encoding encoding, const std::string& user) {
     const tinygltf::Image& kept = model.images[source];
     if (kept.image.empty())
-        return fail(ErrorCode::File, "{}: image {} could not be loaded; check that \"{}\" is there", user, source,
+        return fail(ErrorCode::File, "{}: image {} could not be loaded; check that \"{}\" exists", user, source,
                     kept.uri.empty() ? kept.name : kept.uri);
     const auto decoded = decodeImage(kept, source);
     if (!decoded) return fail("{}: {}", user, decoded.error().message);
