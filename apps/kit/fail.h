@@ -26,4 +26,17 @@ tl::unexpected<Error> fail(ErrorCode code, fmt::format_string<Args...> text, Arg
     return tl::unexpected(Error{code, fmt::format(text, std::forward<Args>(args)...)});
 }
 
+/// The error with `what` before its sentence. Its code and the API's own result stay.
+inline tl::unexpected<Error> passOn(Error error, const std::string& what) {
+    error.message = what + ": " + error.message;
+    return tl::unexpected(std::move(error));
+}
+
+/// The value, or the error as above.
+template <class T>
+Result<T> passOn(Result<T> result, const std::string& what) {
+    if (result) return result;
+    return passOn(std::move(result).error(), what);
+}
+
 }  // namespace tyndall

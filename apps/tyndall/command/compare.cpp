@@ -50,7 +50,7 @@ Result<CommandOutput> compare(const CompareOptions& options) {
     comparison.reference = std::move(*reference);
     auto metrics = study::compare(comparison.image.image, comparison.reference.image,
                                   {.bandingThreshold = options.bandingThreshold});
-    if (!metrics) return fail("{} cannot be compared with {}: {}", options.image, options.reference, metrics.error().message);
+    if (!metrics) return passOn(metrics.error(), fmt::format("{} cannot be compared with {}", options.image, options.reference));
     comparison.metrics = *metrics;
     if (comparison.image.channels != comparison.reference.channels)
         return fail(

@@ -55,7 +55,7 @@ Result<CommandOutput> reference(const ReferenceOptions& options, const Progress&
                      return wanted;
                  }});
     if (!wanted) return fail("{}", interrupted);
-    if (!image) return fail("{}: {}", options.view.scene, image.error().message);
+    if (!image) return passOn(image.error(), options.view.scene);
     run.integrating = seconds(start);
 
     if (auto written = writePicture(options.output, radianceOf(*image), std::nullopt); !written)

@@ -37,7 +37,7 @@ Result<CommandOutput> render(const RenderOptions& options) {
     auto planned = prepareScene(options.view);
     if (!planned) return tl::unexpected(planned.error());
     auto device = headless::Device::create({.validation = options.validate});
-    if (!device) return fail("{}", device.error().message);
+    if (!device) return tl::unexpected(device.error());
     CommandOutput result;
     auto cache = PipelineCacheFile::open(*device, options.pipelineCache, result.notes);
     auto renderer = SceneRenderer::create(*device, planned->scene, cache.handle());

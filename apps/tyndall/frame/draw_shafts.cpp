@@ -2,7 +2,6 @@
 
 #include <headless/commands.h>
 
-#include "pass_on.h"
 
 namespace tyndall::app {
 
@@ -43,7 +42,7 @@ Result<void> drawShafts(const headless::Device& device, Renderer& renderer, Fram
                 if (counted) counter->end(commands);
                 return recorded;
             });
-            if (!added) return fail("the shafts: {}", added.error().message);
+            if (!added) return passOn(added.error(), "the shafts");
             if (round == 0) continue;
             statistics.accumulate += *added;
             statistics.shafts.draws += renderer.counters().draws - before.draws;
@@ -58,7 +57,7 @@ Result<void> drawShafts(const headless::Device& device, Renderer& renderer, Fram
             headless::fullBarrier(commands);
             return renderer.recordComposite(commands, frame, plan, group, shafts);
         });
-        if (!composited) return fail("the shafts: {}", composited.error().message);
+        if (!composited) return passOn(composited.error(), "the shafts");
         statistics.composite += *composited;
     }
     return {};

@@ -12,7 +12,7 @@ Result<void> make(const headless::Device& device, headless::Image& image, VkExte
     const VkExtent2D there = image.extent();
     if (there.width == extent.width && there.height == extent.height && image.format() == format) return {};
     auto made = headless::Image::create(device, {.extent = extent, .format = format, .usage = usage, .name = name});
-    if (!made) return fail("a picture of {}x{}: {}", extent.width, extent.height, made.error().message);
+    if (!made) return passOn(made.error(), fmt::format("a picture of {}x{}", extent.width, extent.height));
     image = std::move(*made);
     return {};
 }

@@ -15,11 +15,11 @@ Result<headless::Image> uploadImage(const headless::Device& device, const Image&
                                                   .format = imageFormat,
                                                   .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                                                   .name = "scene texture"});
-    if (!image) return fail("a texture of {}x{}: {}", source.width, source.height, image.error().message);
+    if (!image) return passOn(image.error(), fmt::format("a texture of {}x{}", source.width, source.height));
     std::vector<glm::uint64> texels(pixelCount(source));
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::packHalf4x16(rgbaOf(source, i));
     if (auto done = headless::upload(device, *image, std::as_bytes(std::span(texels))); !done)
-        return fail("a texture could not be uploaded: {}", done.error().message);
+        return passOn(done.error(), "a texture could not be uploaded");
     return std::move(*image);
 }
 
@@ -27,7 +27,7 @@ template <class T>
 Result<headless::Buffer> hostBuffer(const headless::Device& device, const std::vector<T>& values,
                                      VkBufferUsageFlags usage, std::string_view name) {
     auto buffer = headless::Buffer::create(device, std::as_bytes(std::span(values)), usage, name);
-    if (!buffer) return fail("the scene's meshes could not be uploaded: {}", buffer.error().message);
+    if (!buffer) return passOn(buffer.error(), "the scene's meshes could not be uploaded");
     return std::move(*buffer);
 }
 

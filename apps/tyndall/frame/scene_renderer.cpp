@@ -9,7 +9,6 @@
 
 #include "all_cores.h"
 #include "draw_shafts.h"
-#include "pass_on.h"
 #include "read_back.h"
 #include "used_images.h"
 
@@ -84,7 +83,7 @@ Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<co
                              VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
         return recorded;
     });
-    if (!time) return fail("the surfaces: {}", time.error().message);
+    if (!time) return passOn(time.error(), "the surfaces");
     frame_.surfaces = *time;
     frame_.surfaceDraws = surfaces_.draws.size();
     return {};

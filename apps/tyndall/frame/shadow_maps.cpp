@@ -26,7 +26,7 @@ Result<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::siz
                                                   .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
                                                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                                                   .name = "shadow map"});
-    if (!image) return fail("--shadow-size {}: {}", size, image.error().message);
+    if (!image) return passOn(image.error(), fmt::format("--shadow-size {}", size));
     slots_.push_back({std::move(*image), light, frame_});
     return *(slotOf_[light] = slots_.size() - 1);
 }
@@ -66,7 +66,7 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
     }
     if (stale.empty()) return 0.0;
     // The data of earlier maps is not needed any more; an empty plan frees its memory.
-    if (auto reset = renderer.upload(data_, Plan{}); !reset) return fail("the shadow maps: {}", reset.error().message);
+    if (auto reset = renderer.upload(data_, Plan{}); !reset) return passOn(reset.error(), "the shadow maps");
     const auto time = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
         for (const Stale& map : stale) {
             const headless::Image& image = slots_[map.slot].image;
@@ -79,7 +79,7 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
         }
         return {};
     });
-    if (!time) return fail("the shadow maps: {}", time.error().message);
+    if (!time) return passOn(time.error(), "the shadow maps");
     for (const Stale& map : stale) cache_.drawn(map.light, viewed.lights[map.light], map.casters, size);
     return *time;
 }

@@ -130,7 +130,7 @@ void listDraws(const SurfaceInputs& inputs, std::vector<Lit>& draws) {
 
 Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache) {
     auto pipelines = PassPipelines::create({device.physicalDevice(), device.device(), cache}, scene_effect::effect);
-    if (!pipelines) return fail("the surfaces: {}", pipelines.error().message);
+    if (!pipelines) return passOn(pipelines.error(), "the surfaces");
     return std::move(*pipelines);
 }
 
@@ -148,7 +148,7 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
     if (pass.uniforms.size() < block * draws.size()) {
         auto buffer = headless::Buffer::create(device, block * draws.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                                                headless::MemoryKind::Host, "surface uniforms");
-        if (!buffer) return fail("the surfaces' constants: {}", buffer.error().message);
+        if (!buffer) return passOn(buffer.error(), "the surfaces' constants");
         pass.uniforms = std::move(*buffer);
     }
     const std::span<std::byte> mapped = pass.uniforms.mapped();
@@ -182,7 +182,7 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
         // Culling depends on the mesh; depth is reversed.
         const PassTarget target{.colours = {colour}, .depth = depth, .dynamicCulling = true};
         const auto pipeline = pipelines.get(*pixels, target, elements);
-        if (!pipeline) return fail("the surfaces: {}", pipeline.error().message);
+        if (!pipeline) return passOn(pipeline.error(), "the surfaces");
         draw.pipeline = *pipeline;
         pass.draws.push_back(std::move(draw));
     }

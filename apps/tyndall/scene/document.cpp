@@ -28,7 +28,7 @@ Result<Document> readDocument(const std::string& path) {
     try {
         document.json = nlohmann::json::parse(container->json());
         if (auto checked = checkDocument(document.json, container->binary, container->binaryLength); !checked)
-            return fail("{}: {}", path, checked.error().message);
+            return passOn(checked.error(), path);
 
         tinygltf::TinyGLTF reader;
         reader.SetImageLoader(keepEncoded, nullptr);

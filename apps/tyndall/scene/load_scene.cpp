@@ -142,9 +142,9 @@ Result<Scene> loadScene(const std::string& path, double time) {
     auto document = readDocument(path);
     if (!document) return tl::unexpected(document.error());
     auto poses = worldPoses(document->model, time);
-    if (!poses) return fail("{}: {}", path, poses.error().message);
+    if (!poses) return passOn(poses.error(), path);
     auto scene = Loader(*document, std::move(*poses)).load();
-    if (!scene) return fail("{}: {}", path, scene.error().message);
+    if (!scene) return passOn(scene.error(), path);
     if (!document->warnings.empty()) scene->warnings.push_back(document->warnings);
     return scene;
 }

@@ -25,7 +25,7 @@ Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encodi
         return fail(ErrorCode::File, "{}: image {} could not be loaded; check that \"{}\" exists", user, source,
                     kept.uri.empty() ? kept.name : kept.uri);
     const auto decoded = decodeImage(kept, source);
-    if (!decoded) return fail("{}: {}", user, decoded.error().message);
+    if (!decoded) return passOn(decoded.error(), user);
     const tinygltf::Image& from = *decoded;
     const std::size_t texels = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
     const std::size_t channelBytes = from.bits == 16 ? 2 : 1;
