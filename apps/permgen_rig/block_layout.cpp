@@ -1,9 +1,9 @@
 #include "block_layout.h"
 
-#include <kit/fail.h>
-#include <fmt/format.h>
 #include <common/names.h>
 #include <common/spirv_module.h>
+#include <fmt/format.h>
+#include <kit/fail.h>
 
 #include <optional>
 #include <spirv/unified1/spirv.hpp>
@@ -114,7 +114,7 @@ Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
             if (member.block && !declared) declared = findMember(module, *member.block, known.offset);
         if (!declared)
             return failWith(fmt::format("no module declares the constant {} of {}; compile the effect again",
-                                              known.name, known.block));
+                                        known.name, known.block));
         member.settable = describe(*declared, member);
         members.push_back(std::move(member));
     }

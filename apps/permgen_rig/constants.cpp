@@ -1,8 +1,8 @@
 #include "constants.h"
 
-#include <kit/fail.h>
-#include <fmt/format.h>
 #include <common/nearest.h>
+#include <fmt/format.h>
+#include <kit/fail.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ std::string whyNot(const BlockMember& member, const Numbers& given) {
 }  // namespace
 
 Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
-                                 const Fixture& fixture) {
+                                const Fixture& fixture) {
     Constants constants;
     for (const permgen::Resource& resource : effect.resources)
         if (resource.kind == permgen::ResourceKind::UniformBuffer)
@@ -72,9 +72,8 @@ Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector
     for (const auto& [name, given] : fixture.constants) {
         if (std::find(names.begin(), names.end(), name) != names.end()) continue;
         const std::string known = names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "));
-        return failWith(fmt::format("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name,
-                                          effect.name, permgen::suggestion(name, names, "; did you mean ", "?"),
-                                          known));
+        return failWith(fmt::format("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name, effect.name,
+                                    permgen::suggestion(name, names, "; did you mean ", "?"), known));
     }
     for (const BlockMember& member : members) {
         const auto given = fixture.constants.find(member.name);

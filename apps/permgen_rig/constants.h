@@ -23,7 +23,7 @@ struct Constants {
 /// Errors: a constant that the effect does not have (with the nearest name), of another count, or not a whole
 /// number for an integer type.
 Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
-                                 const Fixture& fixture);
+                                const Fixture& fixture);
 
 /// The same block with every number changed: a picture that depends on one of them must change.
 std::vector<std::byte> altered(const std::vector<BlockMember>& members, std::string_view block,

@@ -1,8 +1,8 @@
 #include "effect_renderer.h"
 
-#include <kit/fail.h>
 #include <fmt/format.h>
 #include <headless/commands.h>
+#include <kit/fail.h>
 #include <tyndall/rendering.h>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ struct EffectRenderer::Targets {
 };
 
 Result<std::unique_ptr<EffectRenderer>> EffectRenderer::create(const headless::Device& device,
-                                                                const permgen::Effect& effect, const Fixture& fixture) {
+                                                               const permgen::Effect& effect, const Fixture& fixture) {
     std::unique_ptr<EffectRenderer> renderer(new EffectRenderer(device, effect, fixture));
     for (const auto step : {&EffectRenderer::makeBlocks, &EffectRenderer::makeTextures, &EffectRenderer::makeGeometry,
                             &EffectRenderer::makePipelines})
@@ -255,7 +255,7 @@ Result<Image> EffectRenderer::readTargets(const Targets& targets) const {
 }
 
 Result<Image> EffectRenderer::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
-                                    Variation variation) {
+                                   Variation variation) {
     const auto targets = makeTargets(technique);
     if (!targets) return tl::unexpected(targets.error());
     const auto submitted = headless::submitAndWait(device_, [&](VkCommandBuffer commands) {

@@ -27,13 +27,13 @@ class EffectRenderer {
 public:
     /// Finds all errors of effect and fixture: the fixture must give all resources that the effect's
     /// techniques read. `effect` must outlive it.
-    static Result<std::unique_ptr<EffectRenderer>> create(const headless::Device& device,
-                                                           const permgen::Effect& effect, const Fixture& fixture);
+    static Result<std::unique_ptr<EffectRenderer>> create(const headless::Device& device, const permgen::Effect& effect,
+                                                          const Fixture& fixture);
 
     /// The target after the technique's first `passes` passes; further targets are below the first. With
     /// Shaders::Specialized all of the fixture's resources are bound, live or not.
     Result<Image> draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
-                        Variation variation = {});
+                       Variation variation = {});
 
     /// Whether draw() has a variation of that resource.
     bool canVary(std::string_view resource) const;

@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <kit/fail.h>
+
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -194,7 +195,7 @@ Result<Fixture> readFixture(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         return failWith(path + ": this is a folder; name a fixture file, as in " +
-                              (std::filesystem::path(path) / "NAME.rig.json").string());
+                        (std::filesystem::path(path) / "NAME.rig.json").string());
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file.is_open() || file.bad()) return failWith(path + ": cannot be read; name an existing fixture file");

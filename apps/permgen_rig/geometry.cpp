@@ -1,7 +1,7 @@
 #include "geometry.h"
 
-#include <kit/fail.h>
 #include <fmt/format.h>
+#include <kit/fail.h>
 
 #include <cmath>
 #include <cstring>

@@ -1,6 +1,6 @@
 // The program: command line in, verdicts out.
-#include <fmt/format.h>
 #include <common/nearest.h>
+#include <fmt/format.h>
 #include <permgen/manifest.h>
 #include <rig/report.h>
 
@@ -12,9 +12,9 @@
 #include <filesystem>
 
 #include "checks.h"
+#include "effect_renderer.h"
 #include "fixture.h"
 #include "options.h"
-#include "effect_renderer.h"
 
 namespace tyndall::rig {
 namespace {
@@ -139,7 +139,8 @@ void forgetOtherTechniques(const Options& options, const permgen::Effect& effect
     if (options.report.empty()) return;
     std::vector<std::string> names;
     for (const permgen::Technique& technique : effect.techniques) names.emplace_back(technique.name);
-    if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done) stop(done.error().message);
+    if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done)
+        stop(done.error().message);
 }
 
 bool tryOut(headless::Device& device, EffectRenderer& renderer, const permgen::Effect& effect,
@@ -179,7 +180,8 @@ Status run(const Options& options) {
     fmt::print("{}: {} of {} techniques on {}\n", effect.name, effect.techniques.size(), whole.techniques.size(),
                device.name());
     if (!(*renderer)->unsetConstants().empty())
-        fmt::print("note: the fixture leaves these constants at 0: {}\n", fmt::join((*renderer)->unsetConstants(), ", "));
+        fmt::print("note: the fixture leaves these constants at 0: {}\n",
+                   fmt::join((*renderer)->unsetConstants(), ", "));
     forgetOtherTechniques(options, whole);
     std::size_t failed = 0;
     for (const permgen::Technique& technique : effect.techniques)

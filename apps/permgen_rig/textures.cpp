@@ -1,9 +1,9 @@
 #include "textures.h"
 
-#include <kit/fail.h>
-#include <fmt/format.h>
 #include <common/names.h>
 #include <common/nearest.h>
+#include <fmt/format.h>
+#include <kit/fail.h>
 
 #include <algorithm>
 

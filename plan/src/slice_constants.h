@@ -3,9 +3,9 @@
 
 #include <tyndall/plan.h>
 
-#include "visibility/light_volume.h"
 #include "needs/stand_ins.h"
 #include "slabs/slabs.h"
+#include "visibility/light_volume.h"
 #include "visibility/view_pose.h"
 
 namespace tyndall {

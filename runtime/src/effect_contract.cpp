@@ -66,8 +66,7 @@ constexpr EffectContract composite{"composite.fx",
                                    true};
 
 constexpr BlockMember shadowMapMembers[] = {{"gClipFromMesh", 0, sizeof(glm::mat4)}};
-constexpr auto shadowMapTechniques =
-    techniqueNames<effects::shadow_map::technique_count>(effects::shadow_map::effect);
+constexpr auto shadowMapTechniques = techniqueNames<effects::shadow_map::technique_count>(effects::shadow_map::effect);
 constexpr VertexElement occluderElements[] = {{"POSITION0", 0, VK_FORMAT_R32G32B32_SFLOAT}};
 constexpr EffectContract shadowMap{
     "shadow_map.fx", shadowMapMembers, sizeof(glm::mat4), {}, shadowMapTechniques, occluderElements, false};

@@ -326,7 +326,8 @@ TEST_P(BadScene, SaysWhatIsWrong) {
     const auto scene = app::loadScene(writeScene(glb), 0.0);
     ASSERT_FALSE(scene) << "was read without an error";
     EXPECT_NE(scene.error().message.find(breakage.says), std::string::npos) << scene.error().message;
-    EXPECT_NE(scene.error().message.find("scene.glb"), std::string::npos) << "names the file: " << scene.error().message;
+    EXPECT_NE(scene.error().message.find("scene.glb"), std::string::npos)
+        << "names the file: " << scene.error().message;
     EXPECT_EQ(scene.error().message.find('\n'), std::string::npos) << scene.error().message;
 }
 

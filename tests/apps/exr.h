@@ -21,7 +21,6 @@ struct ExrLayout {
 };
 
 /// A new file with this picture.
-std::string writeExr(const study::Image& image, const ExrLayout& layout = {},
-                     const std::string& name = "picture.exr");
+std::string writeExr(const study::Image& image, const ExrLayout& layout = {}, const std::string& name = "picture.exr");
 
 }  // namespace tyndall::test

@@ -67,8 +67,7 @@ Difference compare(const Image& a, const Image& b, double exposure) {
     Difference max;
     for (std::size_t i = 0; i < pixelCount(a); ++i)
         for (int c = 0; c < 3; ++c) {
-            const double here =
-                std::abs(displayed(rgbOf(a, i)[c], exposure) - displayed(rgbOf(b, i)[c], exposure));
+            const double here = std::abs(displayed(rgbOf(a, i)[c], exposure) - displayed(rgbOf(b, i)[c], exposure));
             if (!(here <= max.largest)) max = {here, i};
         }
     return max;

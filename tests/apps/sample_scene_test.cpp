@@ -12,10 +12,10 @@ namespace {
 struct Sample {
     const char* name;
     std::size_t lights;
-    std::ptrdiff_t off;      ///< lights of intensity 0
-    std::size_t noisy;       ///< lights with noise
-    std::size_t maxImages;   ///< images of all lights and meshes together
-    double loop;             ///< seconds after which the animation repeats; 0: nothing moves
+    std::ptrdiff_t off;     ///< lights of intensity 0
+    std::size_t noisy;      ///< lights with noise
+    std::size_t maxImages;  ///< images of all lights and meshes together
+    double loop;            ///< seconds after which the animation repeats; 0: nothing moves
     std::vector<std::string> cameras;
 };
 

@@ -1,6 +1,6 @@
 // Every module of slices.fx is valid and names the resources in its tables. The test reads the SPIR-V independently.
-#include <gtest/gtest.h>
 #include <back/validate.h>
+#include <gtest/gtest.h>
 
 #include <map>
 #include <set>

@@ -1,8 +1,8 @@
 // The difference of an image and its reference, as a picture.
 #pragma once
 
-#include <kit/image/image.h>
 #include <kit/fail.h>
+#include <kit/image/image.h>
 
 #include <cstdint>
 #include <vector>

@@ -35,7 +35,8 @@ Result<void> checkWritable(const std::string& path) {
     std::error_code error;
     const auto target = written(path);
     if (!target) return tl::unexpected(target.error());
-    if (std::filesystem::is_directory(*target, error)) return fail(ErrorCode::File, "{}: is a folder; name a file", path);
+    if (std::filesystem::is_directory(*target, error))
+        return fail(ErrorCode::File, "{}: is a folder; name a file", path);
     // The final rename would replace a device or a pipe with a plain file.
     if (std::filesystem::exists(*target, error) && !std::filesystem::is_regular_file(*target, error))
         return fail(ErrorCode::File, "{}: is not a plain file; choose another place", path);
@@ -43,7 +44,8 @@ Result<void> checkWritable(const std::string& path) {
     errno = 0;
     const bool opened = std::ofstream(partial).is_open();
     const int reason = errno;
-    if (!opened) return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, std::strerror(reason));
+    if (!opened)
+        return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, std::strerror(reason));
     std::filesystem::remove(partial, error);
     return {};
 }
@@ -63,7 +65,8 @@ Result<void> writeFile(const std::string& path, std::string_view bytes) {
     const std::filesystem::path folder = target->has_parent_path() ? target->parent_path() : ".";
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
-        return fail(ErrorCode::File, "{}: cannot be written: {} is not a folder; choose another place", path, folder.string());
+        return fail(ErrorCode::File, "{}: cannot be written: {} is not a folder; choose another place", path,
+                    folder.string());
     if (const auto done = permgen::write_files({{target->string(), std::string(bytes)}}); !done)
         return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, done.error().message);
     return {};

@@ -20,7 +20,8 @@ constexpr std::size_t maxValues = std::size_t{1} << 30;
 /// The image library's name of the format, found from the file's first bytes.
 Result<const char*> formatOf(const std::string& path) {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return fail(ErrorCode::File, "{}: is a folder; name a picture", path);
+    if (std::filesystem::is_directory(path, error))
+        return fail(ErrorCode::File, "{}: is a folder; name a picture", path);
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
         return fail(ErrorCode::File, "{}: is not a plain file; name a picture", path);
     errno = 0;

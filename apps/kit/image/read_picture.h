@@ -1,8 +1,8 @@
 // Reads pictures to compare from OpenEXR and PNG files.
 #pragma once
 
-#include <kit/image/image.h>
 #include <kit/fail.h>
+#include <kit/image/image.h>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 // Picture files, written atomically by writeFile().
 #pragma once
 
-#include <kit/image/image.h>
 #include <kit/fail.h>
+#include <kit/image/image.h>
 
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,5 @@
-#include <kit/fail.h>
 #include <OpenImageIO/imageio.h>
+#include <kit/fail.h>
 #include <rig/image.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include <kit/fail.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <kit/fail.h>
 #include <kit/image/files.h>
 #include <rig/report.h>
 #include <sys/file.h>
@@ -109,7 +109,7 @@ std::string entryKey(const Subject& subject) {
 }
 
 Result<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
-                            const Image* expected) {
+                           const Image* expected) {
     if (holdsAnotherPage(folder)) return cannotWrite(folder, anotherPage);
     std::error_code error;
     fs::create_directories(fs::path(folder) / "entries", error);
@@ -132,7 +132,7 @@ Result<void> reportPass(const std::string& folder, const Subject& subject) {
 }
 
 Result<void> reportTechniques(const std::string& folder, const std::string& effect,
-                               const std::vector<std::string>& techniques) {
+                              const std::vector<std::string>& techniques) {
     const std::string entries = (fs::path(folder) / "entries").string();
     std::error_code error;
     if (!fs::exists(entries, error)) return {};

@@ -49,7 +49,7 @@ Result<void> writePanel(const std::filesystem::path& folder, const Panel& panel)
 }  // namespace
 
 Result<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
-                         const Image* expected) {
+                        const Image* expected) {
     const double white = whitePoint(image, expected);
     Json json = {{"effect", failure.subject.effect}, {"technique", failure.subject.technique},
                  {"pass", failure.subject.pass},     {"check", failure.subject.check},

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "options.h"
 #include "../progress.h"
+#include "options.h"
 
 namespace tyndall::app {
 

@@ -1,6 +1,7 @@
 // The program's options, after parsing.
 #pragma once
 
+#include <kit/fail.h>
 #include <study/reference.h>
 
 #include <cstdint>
@@ -9,7 +10,6 @@
 
 #include "../frame/shaft_options.h"
 #include "../frame/view_options.h"
-#include <kit/fail.h>
 
 namespace tyndall::app {
 

@@ -93,8 +93,8 @@ double automaticRange(std::span<const Light> lights, const View& view, const Pla
     const double farthest = farthestLit(lights, view);
     const glm::dmat4 viewFromClip = glm::inverse(view.clipFromView);
     // The article adds a constant for each of its slices, independent of the thickness.
-    const double perStep =
-        options.look == Look::Article ? article::weight * article::flatDust / steps : (farthest - view.nearPlane) / steps;
+    const double perStep = options.look == Look::Article ? article::weight * article::flatDust / steps
+                                                         : (farthest - view.nearPlane) / steps;
     const auto rayAt = [&](double x, double y) {  // start on the near plane and direction for a metre of depth
         const glm::dvec4 onNear = viewFromClip * glm::dvec4(x, y, 1.0, 1.0);  // reversed depth: 1 is near
         const glm::dvec3 start(onNear / onNear.w);
@@ -105,8 +105,8 @@ double automaticRange(std::span<const Light> lights, const View& view, const Pla
         const glm::dvec3 origin = view.orthographic ? glm::dvec3(start.x, start.y, 0.0) : glm::dvec3(0.0);
         const double slant = glm::length(direction);
         // Equal cells have larger angles near the picture's middle: the corner towards it is the farthest.
-        const auto [corner, outermost] = rayAt(cell.x - std::copysign(cell.halfWidth, cell.x),
-                                               cell.y - std::copysign(cell.halfHeight, cell.y));
+        const auto [corner, outermost] =
+            rayAt(cell.x - std::copysign(cell.halfWidth, cell.x), cell.y - std::copysign(cell.halfHeight, cell.y));
         const double angle = std::atan2(glm::length(glm::cross(direction, outermost)), glm::dot(direction, outermost));
         const double width = view.orthographic ? glm::distance(start, corner) : 0.0;
         const glm::dvec3 toEye(view.worldFromView * glm::dvec4(-direction / slant, 0.0));

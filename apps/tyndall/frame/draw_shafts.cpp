@@ -2,7 +2,6 @@
 
 #include <headless/commands.h>
 
-
 namespace tyndall::app {
 
 bool isBlurred(const Plan& plan) {
@@ -22,8 +21,8 @@ std::vector<LightTextures> texturesOf(const PlannedScene& planned, const ShadowM
 }
 
 Result<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
-                         std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
-                         headless::FragmentCounter* counter, FrameStatistics& statistics) {
+                        std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
+                        headless::FragmentCounter* counter, FrameStatistics& statistics) {
     const ShaftTargets shafts{.extent = targets.colour.extent(),
                               .accumulation = targets.accumulation.handle(),
                               .accumulationView = targets.accumulation.view(),

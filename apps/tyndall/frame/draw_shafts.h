@@ -21,7 +21,7 @@ std::vector<LightTextures> texturesOf(const PlannedScene& planned, const ShadowM
 /// Draws `plan`, which `frame` holds, over targets.colour. `measure` adds the slices twice and times the
 /// second, so that the time has no compilation in it. `counter` may be null.
 Result<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
-                         std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
-                         headless::FragmentCounter* counter, FrameStatistics& statistics);
+                        std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
+                        headless::FragmentCounter* counter, FrameStatistics& statistics);
 
 }  // namespace tyndall::app

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <headless/image.h>
+#include <kit/fail.h>
 #include <tyndall/plan.h>
 
-#include <kit/fail.h>
 #include "view_options.h"
 
 namespace tyndall::app {

@@ -3,12 +3,12 @@
 
 #include <headless/buffer.h>
 #include <headless/image.h>
+#include <kit/fail.h>
 #include <tyndall/renderer.h>
 
 #include <cstdint>
 #include <vector>
 
-#include <kit/fail.h>
 #include "../scene/scene.h"
 
 namespace tyndall::app {
@@ -25,7 +25,7 @@ Result<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene
 
 /// Uploads the images that are `wanted`, by Scene::images, and not uploaded yet.
 Result<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
-                           GpuScene& gpu);
+                          GpuScene& gpu);
 
 /// An instance with its current transform.
 Occluder occluderOf(const GpuScene& gpu, const Scene& scene, std::size_t instance);

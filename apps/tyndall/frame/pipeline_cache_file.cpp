@@ -46,7 +46,8 @@ Result<std::vector<std::byte>> readFile(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found) return {};
-    if (status.type() == std::filesystem::file_type::none) return fail(ErrorCode::File, "cannot be read: {}", error.message());
+    if (status.type() == std::filesystem::file_type::none)
+        return fail(ErrorCode::File, "cannot be read: {}", error.message());
     if (status.type() != std::filesystem::file_type::regular) return fail(ErrorCode::File, "is not a plain file");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error || size > maxBytes) return fail("is larger than any pipeline cache");

@@ -76,7 +76,7 @@ Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, co
 }
 
 Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
-                              const ShaftOptions& shafts) {
+                             const ShaftOptions& shafts) {
     planned.view.sceneDepth = depth.farthest;
     planned.depth = std::move(depth);
     planned.displayStep = displayStep;

@@ -33,7 +33,7 @@ Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, co
 
 /// Plans with the drawn depth and the display's step.
 Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
-                              const ShaftOptions& shafts);
+                             const ShaftOptions& shafts);
 
 /// The plan with nothing left out.
 Result<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view);

@@ -5,7 +5,7 @@
 namespace tyndall::app {
 
 Result<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,
-                                      VkImageLayout layout) {
+                                     VkImageLayout layout) {
     const auto bytes = headless::readback(device, depth, layout);
     if (!bytes) return passOn(bytes.error(), "a depth image could not be read back");
     std::vector<float> values(bytes->size() / sizeof(float));

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <headless/device.h>
+#include <kit/fail.h>
 #include <study/reference.h>
 
-#include <kit/fail.h>
 #include "view_options.h"
 #include "view_scene.h"
 
@@ -17,6 +17,6 @@ study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& o
 /// The renderer's scene: its shadow maps and its depth, drawn on `device` and read back, and its textures, rounded
 /// and with baked cones.
 Result<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
-                                             const ViewOptions& options, std::uint32_t shadowSize);
+                                            const ViewOptions& options, std::uint32_t shadowSize);
 
 }  // namespace tyndall::app

@@ -43,8 +43,7 @@ std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
 
 }  // namespace
 
-Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene,
-                                             VkPipelineCache cache) {
+Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene, VkPipelineCache cache) {
     auto renderer = Renderer::create({device.physicalDevice(), device.device(), cache});
     if (!renderer) return tl::unexpected(renderer.error());
     auto pipelines = surfacePipelines(device, cache);
@@ -55,7 +54,7 @@ Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, cons
 }
 
 Result<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
-                                            std::uint32_t shadowSize) {
+                                           std::uint32_t shadowSize) {
     const auto time = maps_.draw(*device_, renderer_, viewed, lights, gpu_, shadowSize);
     if (!time) return tl::unexpected(time.error());
     frame_.shadowMaps += *time;
@@ -63,7 +62,7 @@ Result<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<
 }
 
 Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
-                                          std::uint32_t shadowSize, bool lit) {
+                                         std::uint32_t shadowSize, bool lit) {
     if (auto fitted = fit(*device_, targets_, size); !fitted) return fitted;
     if (lit)
         if (auto drawn = drawShadowMaps(viewed, mapsCalledFor(lights), shadowSize); !drawn) return drawn;
@@ -90,7 +89,7 @@ Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<co
 }
 
 Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                                         double maxStep) {
+                                        double maxStep) {
     auto drawn =
         drawSurfaces(planned, planned.surfaceLights, view.size, shafts.plan.shadowMapSize, view.layer == Layer::All);
     if (!drawn) return drawn;
@@ -103,7 +102,8 @@ Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions
         surfaces = std::move(*read);
     }
     DepthSurvey depth;
-    if (auto surveyed = passOn(surveyDepth(*depths, view.size.width, view.size.height, planned.view, depth), "the depth as drawn");
+    if (auto surveyed =
+            passOn(surveyDepth(*depths, view.size.width, view.size.height, planned.view, depth), "the depth as drawn");
         !surveyed)
         return surveyed;
     return replanWithDepth(planned, std::move(depth), std::min(stepOf(surfaces, shafts), maxStep), view, shafts);
@@ -180,7 +180,7 @@ Result<void> SceneRenderer::plan(PlannedScene& planned, const ViewOptions& view,
 }
 
 Result<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                                   bool measure) {
+                                  bool measure) {
     startFrame();
     if (auto updated = updateSceneFacts(planned, view, shafts); !updated) return tl::unexpected(updated.error());
     // The plan leaves out faint light by the exposure of the surfaces only. Usually the shafts brighten the picture and

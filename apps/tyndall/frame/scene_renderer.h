@@ -29,7 +29,7 @@ public:
     /// meshes, its images and their users. Pipelines are made with `cache`, which may be null. `device` and `cache`
     /// must outlive the renderer.
     static Result<SceneRenderer> create(const headless::Device& device, const Scene& scene,
-                                         VkPipelineCache cache = VK_NULL_HANDLE);
+                                        VkPipelineCache cache = VK_NULL_HANDLE);
 
     /// Draws `planned`: updates the facts about the scene, draws the surfaces, and plans with their depth and exposure.
     /// `measure` adds the slices twice and times the second, so that the time has no compilation in it.
@@ -41,9 +41,9 @@ public:
     /// The parts of draw(). `lights` has one entry for each of viewed.lights; those that need a shadow map get one if
     /// surfaces are lit.
     Result<void> drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
-                               std::uint32_t shadowSize, bool lit);
+                              std::uint32_t shadowSize, bool lit);
     Result<void> drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
-                                 std::uint32_t shadowSize);
+                                std::uint32_t shadowSize);
 
     const FrameTargets& targets() const { return targets_; }
     const ShadowMaps& shadowMaps() const { return maps_; }
@@ -56,7 +56,7 @@ private:
           gpu_(std::move(gpu)) {}
 
     Result<void> planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                              double maxStep);
+                             double maxStep);
     Result<void> drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure);
     Result<void> preparePipelines(const Plan& plan);
     void startFrame();

@@ -1,12 +1,12 @@
 // The scene as one of its cameras sees it.
 #pragma once
 
+#include <kit/fail.h>
 #include <tyndall/view.h>
 
 #include <span>
 #include <vector>
 
-#include <kit/fail.h>
 #include "../scene/scene.h"
 #include "view_options.h"
 

@@ -32,7 +32,7 @@ Result<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::siz
 }
 
 Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
-                                 std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size) {
+                                std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size) {
     if (size != size_) {
         slots_.clear();
         slotOf_.clear();

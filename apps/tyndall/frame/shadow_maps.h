@@ -26,7 +26,7 @@ public:
     /// Draws the outdated maps of these lights, indices into viewed.lights. Returns the milliseconds from submission to
     /// fence; 0 if no map was outdated.
     Result<double> draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
-                         std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size);
+                        std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size);
 
     /// SHADER_READ_ONLY_OPTIMAL; null if this frame does not need the light's map.
     const headless::Image* image(std::size_t light) const;

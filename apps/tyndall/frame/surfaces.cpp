@@ -1,7 +1,7 @@
 #include "surfaces.h"
 
-#include <tyndall/rendering.h>
 #include <scene.fx.h>
+#include <tyndall/rendering.h>
 #include <vulkan/vulkan.h>
 
 #include <algorithm>
@@ -135,7 +135,7 @@ Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelin
 }
 
 Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
-                              const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass) {
+                             const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass) {
     pass.draws.clear();
     const auto& [viewed, lights, maps, shadowSize, lit] = inputs;
     const Scene& scene = viewed.scene;

@@ -3,13 +3,13 @@
 
 #include <headless/buffer.h>
 #include <headless/device.h>
+#include <kit/fail.h>
 #include <tyndall/pass_pipelines.h>
 #include <tyndall/view.h>
 
 #include <span>
 #include <vector>
 
-#include <kit/fail.h>
 #include "gpu_scene.h"
 #include "shadow_maps.h"
 #include "surface_lights.h"
@@ -51,7 +51,7 @@ Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelin
 /// Prepares one base draw for each instance, and one for each light that lights the instance in the picture. `gpu`
 /// has the images that they need. The pipelines draw into targets of those two formats.
 Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
-                              const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass);
+                             const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass);
 
 Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,
                             const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets);

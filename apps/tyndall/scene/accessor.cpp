@@ -52,7 +52,7 @@ Elements elements(const tinygltf::Model& model, const tinygltf::Accessor& access
 }  // namespace
 
 Result<std::vector<double>> readNumbers(const tinygltf::Model& model, int accessor, int components,
-                                         const std::string& what) {
+                                        const std::string& what) {
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     const int stored = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
     if (stored != components)
@@ -73,7 +73,7 @@ Result<std::vector<double>> readNumbers(const tinygltf::Model& model, int access
 }
 
 Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, int accessor, std::size_t vertexCount,
-                                                const std::string& what) {
+                                               const std::string& what) {
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     const bool whole = source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                        source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||

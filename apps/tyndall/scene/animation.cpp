@@ -62,8 +62,8 @@ Value sample(const Track& track, double time) {
     return value;
 }
 
-Result<Track> readTrack(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler,
-                         std::size_t components, const std::string& place) {
+Result<Track> readTrack(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, std::size_t components,
+                        const std::string& place) {
     Track track;
     track.components = components;
     track.interpolation = sampler.interpolation;

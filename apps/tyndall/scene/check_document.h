@@ -1,10 +1,10 @@
 // Checks that a glTF document is consistent, before its indices are used.
 #pragma once
 
+#include <kit/fail.h>
+
 #include <cstddef>
 #include <nlohmann/json.hpp>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 

@@ -1,10 +1,10 @@
 // Checks a glTF node's own transform.
 #pragma once
 
+#include <kit/fail.h>
+
 #include <nlohmann/json.hpp>
 #include <string>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 

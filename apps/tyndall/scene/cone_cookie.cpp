@@ -45,7 +45,8 @@ Image bakeCone(double inner, double outer, const Image* given) {
             const glm::vec4 slide =
                 given != nullptr ? sampleClamped(*given, (column + 0.5) / image.width, (row + 0.5) / image.height)
                                  : glm::vec4(1.0f);
-            setRgba(image, static_cast<std::size_t>(row) * image.width + column, glm::vec4(cone * glm::vec3(slide), 1.0f));
+            setRgba(image, static_cast<std::size_t>(row) * image.width + column,
+                    glm::vec4(cone * glm::vec3(slide), 1.0f));
         }
     return image;
 }

@@ -1,12 +1,12 @@
 // The container of a glTF file: the JSON text and, in a .glb, the binary chunk after it.
 #pragma once
 
+#include <kit/fail.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 

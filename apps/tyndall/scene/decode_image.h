@@ -1,9 +1,8 @@
 // Decodes PNG and JPEG with tinygltf, one image at a time, on request.
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <kit/fail.h>
+#include <tiny_gltf.h>
 
 namespace tyndall::app {
 

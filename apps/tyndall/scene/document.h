@@ -2,12 +2,11 @@
 // need not check them again.
 #pragma once
 
+#include <kit/fail.h>
 #include <tiny_gltf.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 

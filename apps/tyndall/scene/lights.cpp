@@ -37,7 +37,7 @@ constexpr double extentMargin = 1.01;
 constexpr double emptySceneFar = 20.0;
 
 Result<void> applyRange(Light& light, const LightExtras& extras, double range, const Bounds& bounds,
-                         const std::string& place) {
+                        const std::string& place) {
     light.nearPlane = extras.nearPlane.value_or(light.nearPlane);
     if (!(light.nearPlane > 0.0))
         return fail("{}: its near plane lies at {:g} m; move it in front of the lamp, above 0", place, light.nearPlane);
@@ -53,7 +53,7 @@ Result<void> applyRange(Light& light, const LightExtras& extras, double range, c
 }
 
 Result<void> applyFov(Light& light, const LightExtras& extras, double outer, const std::string& place,
-                       std::vector<std::string>& warnings) {
+                      std::vector<std::string>& warnings) {
     light.fov = glm::dvec2(2.0 * outer);
     if (extras.fovDegrees && extras.shape == Shape::Frustum) light.fov = *extras.fovDegrees * degree;
     if (extras.fovDegrees && extras.shape == Shape::Cone)
@@ -95,7 +95,7 @@ Result<void> applyAir(Light& light, const LightExtras& extras, const std::string
 }  // namespace
 
 Result<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
-                                 const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings) {
+                                const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings) {
     const tinygltf::Model& model = document.model;
     const auto lamp = document.json["nodes"][node]["extensions"]["KHR_lights_punctual"]["light"].get<std::size_t>();
     const tinygltf::Light& source = model.lights[lamp];

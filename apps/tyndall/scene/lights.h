@@ -19,6 +19,6 @@ struct ReadLight {
 /// extras count if the light's own node has none (some exporters put lamps into a child to rotate them).
 /// `bounds` gives the default far plane of a light without range. Errors: values that plan() would refuse.
 Result<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
-                                 const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings);
+                                const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings);
 
 }  // namespace tyndall::app

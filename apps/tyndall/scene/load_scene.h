@@ -1,9 +1,10 @@
 // Loads a scene from a glTF file.
 #pragma once
 
+#include <kit/fail.h>
+
 #include <string>
 
-#include <kit/fail.h>
 #include "scene.h"
 
 namespace tyndall::app {

@@ -16,6 +16,6 @@ using ColourTexture = std::function<Result<std::size_t>(int texture, const std::
 /// The primitives of one glTF mesh. Points and lines are left out with a warning. Missing and zero
 /// normals are computed from the triangles, smooth at shared vertices.
 Result<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t mesh, const ColourTexture& texture,
-                                    std::vector<std::string>& warnings);
+                                   std::vector<std::string>& warnings);
 
 }  // namespace tyndall::app

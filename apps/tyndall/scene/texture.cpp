@@ -41,8 +41,7 @@ Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encodi
             } else {
                 value = static_cast<float>(from.image[4 * i + c]) / 255.0f;
             }
-            image.values[4 * i + c] =
-                encoding == Encoding::Srgb && c < 3 ? linearFromSrgb(value) : value;
+            image.values[4 * i + c] = encoding == Encoding::Srgb && c < 3 ? linearFromSrgb(value) : value;
         }
     return image;
 }

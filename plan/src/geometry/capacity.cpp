@@ -11,8 +11,8 @@ void throwCapacityExceeded(std::size_t capacity, const std::source_location& whe
 
 Error internalError(const CapacityExceeded& exceeded) {
     return {ErrorCode::Internal, std::string("internal: ") + exceeded.what() +
-                                            "; this is a fault of the library: report it with the lights, the view "
-                                            "and the surroundings that were given"};
+                                     "; this is a fault of the library: report it with the lights, the view "
+                                     "and the surroundings that were given"};
 }
 
 }  // namespace tyndall

@@ -34,7 +34,7 @@ struct Failure {
 /// Adds or replaces the failure's entry and rebuilds the page. Either image may be null.
 /// Errors: the folder cannot be written, or its index.html is not such a page; nothing is changed then.
 Result<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
-                            const Image* expected);
+                           const Image* expected);
 
 /// Removes the entry of this comparison, and rebuilds the page if there was one. Makes no folder.
 Result<void> reportPass(const std::string& folder, const Subject& subject);
@@ -42,7 +42,7 @@ Result<void> reportPass(const std::string& folder, const Subject& subject);
 /// Removes the entries of techniques that the effect no longer has, and rebuilds the page if there were any.
 /// Makes no folder.
 Result<void> reportTechniques(const std::string& folder, const std::string& effect,
-                               const std::vector<std::string>& techniques);
+                              const std::vector<std::string>& techniques);
 
 /// The folder name of the subject's entry: readable, and different for different subjects.
 std::string entryKey(const Subject& subject);
