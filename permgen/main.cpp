@@ -114,7 +114,8 @@ Status compile(const Options& options) {
     if (!options.depfile.empty())
         files.push_back({options.depfile, permgen::emit_depfile(files.back().path, program->effect.dependencies)});
     std::string why = collision(files, program->effect.dependencies);
-    if (why.empty()) why = permgen::write_files(files);
+    if (why.empty())
+        if (const auto written = permgen::write_files(files); !written) why = written.error().message;
     if (!why.empty()) {
         permgen::Diagnostic diagnostic{permgen::Severity::Error, "PG070", {options.effect, 0, 0}, why};
         std::fprintf(stderr, "%s\n", permgen::format(diagnostic).c_str());

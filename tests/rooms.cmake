@@ -66,3 +66,14 @@ add_test(NAME rooms.every_test_has_a_label
          COMMAND ${Python3_EXECUTABLE} "${CMAKE_CURRENT_SOURCE_DIR}/check_labels.py" ${CMAKE_CTEST_COMMAND}
                  "${PROJECT_BINARY_DIR}")
 set_tests_properties(rooms.every_test_has_a_label PROPERTIES LABELS rooms)
+
+# Rooms know only the rooms before them: an include that leads back would make a cycle.
+function(tyndall_one_way name folder)
+    add_test(NAME rooms.${name}
+             COMMAND ${Python3_EXECUTABLE} "${CMAKE_CURRENT_SOURCE_DIR}/rooms/check_layers.py" "${PROJECT_SOURCE_DIR}/${folder}"
+                     ${ARGN})
+    set_tests_properties(rooms.${name} PROPERTIES LABELS rooms)
+endfunction()
+tyndall_one_way(permgen_includes_go_one_way permgen d3d9 common front lower back emit)
+tyndall_one_way(plan_includes_go_one_way plan/src check geometry shape visibility slabs needs)
+tyndall_one_way(app_includes_go_one_way apps/tyndall scene frame command)

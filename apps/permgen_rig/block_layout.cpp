@@ -1,9 +1,9 @@
 #include "block_layout.h"
 
-#include <kit/fail.h>
+#include <common/names.h>
+#include <common/spirv_module.h>
 #include <fmt/format.h>
-#include <back/names.h>
-#include <back/spirv_module.h>
+#include <kit/fail.h>
 
 #include <optional>
 #include <spirv/unified1/spirv.hpp>
@@ -60,7 +60,7 @@ bool describe(const Declared& declared, BlockMember& member) {
         type = &module.declarations.at(id);
     }
     if (type->opcode == spv::OpTypeMatrix) {
-        // HLSL's rows are SPIR-V's columns, and so its "row major" is SPIR-V's column major.
+        // HLSL's rows are SPIR-V's columns, so HLSL's "row major" is SPIR-V's column major.
         const std::uint32_t stride = decoration(declared.decorations, spv::DecorationMatrixStride);
         const bool transposed = declared.decorations.contains(spv::DecorationRowMajor);
         member.rows = type->operands.at(1);
@@ -100,7 +100,7 @@ Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
     for (std::size_t i = 0; i < modules.size(); ++i)
         if (!permgen::parse_spirv(effect.modules[i]->code, modules[i]))
             return failWith(
-                fmt::format("the module {} is no SPIR-V; compile the effect again", effect.modules[i]->name));
+                fmt::format("the module {} is not SPIR-V; compile the effect again", effect.modules[i]->name));
 
     std::vector<BlockMember> members;
     for (const permgen::Member& known : effect.members) {
@@ -114,7 +114,7 @@ Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
             if (member.block && !declared) declared = findMember(module, *member.block, known.offset);
         if (!declared)
             return failWith(fmt::format("no module declares the constant {} of {}; compile the effect again",
-                                              known.name, known.block));
+                                        known.name, known.block));
         member.settable = describe(*declared, member);
         members.push_back(std::move(member));
     }

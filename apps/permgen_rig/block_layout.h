@@ -1,5 +1,4 @@
-// The types of an effect's constants. The tables say where a member lies; of what numbers it is made, only the
-// SPIR-V says.
+// The types of an effect's constants. The tables have a member's offset; only the SPIR-V has its type.
 #pragma once
 
 #include <permgen/tables.h>
@@ -11,15 +10,15 @@
 
 namespace tyndall::rig {
 
-/// One member of a uniform block: `elements` matrices or vectors of `rows` rows of `columns` numbers, in the author's
-/// words: mul(matrix, vector) multiplies a row with the vector. A vector or a single number is one row.
+/// One member of a uniform block: `elements` matrices or vectors of `rows` rows of `columns` numbers, as in
+/// HLSL: mul(matrix, vector) multiplies a row with the vector. A vector or a single number is one row.
 struct BlockMember {
     std::string name;
     const permgen::Resource* block = nullptr;
     permgen::ScalarType type = permgen::ScalarType::Float;
     std::uint32_t offset = 0, size = 0;  ///< bytes
     std::uint32_t elements = 1, rows = 1, columns = 1;
-    bool array = false, settable = true;  ///< what is not settable holds structures or arrays of arrays
+    bool array = false, settable = true;  ///< structures and arrays of arrays are not settable
     std::uint32_t elementStride = 0;      ///< bytes
     std::uint32_t rowStride = 0, columnStride = 4;
 
@@ -27,7 +26,7 @@ struct BlockMember {
     std::string typeName() const;  ///< "float4", "float4x4", "float4[8]"
 };
 
-/// Every member of every block, in the tables' order. Errors: a module whose blocks are not the tables'.
+/// Every member of every block, in the tables' order. Errors: a module whose blocks differ from the tables.
 Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect);
 
 }  // namespace tyndall::rig

@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    /// The picture, where it can be drawn in silence; else the failure is on record.
+    /// The picture, if it can be drawn without validation messages; else records the failure.
     std::optional<Image> draw(const std::string& pass, std::size_t passes, Shaders shaders, Variation variation = {}) {
         device_.clearMessages();
         auto image = renderer_.draw(technique_, passes, shaders, variation);
@@ -78,13 +78,12 @@ private:
             std::string reason;
             if (!live && apart.differing > 0)
                 reason = fmt::format(
-                    "{0} is not live, and yet another {0} changes {1} values, the most at pixel ({2}, {3}); compile "
-                    "the "
-                    "effect again, and report this should it stay",
+                    "{0} is not live, but another {0} changes {1} values, the largest change at pixel ({2}, {3}); "
+                    "compile the effect again, and report this if it stays",
                     resource.name, apart.differing, apart.at.x, apart.at.y);
             if (live && apart.differing == 0)
                 result_.notes.push_back(
-                    fmt::format("{} is live, and yet nothing changes with it; choose a fixture that shows what it does",
+                    fmt::format("{} is live, but changing it changes no value; choose a fixture that shows its effect",
                                 resource.name));
             add({{}, fmt::format("liveness of {}", resource.name), reason, std::move(*varied), *usual});
         }

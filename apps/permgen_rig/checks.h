@@ -1,4 +1,4 @@
-// Everything that is demanded of one technique.
+// All checks of one technique.
 #pragma once
 
 #include <rig/golden.h>
@@ -21,20 +21,20 @@ struct CheckResult {
 
 struct TechniqueResult {
     std::vector<CheckResult> checks;
-    std::vector<std::string> notes;  ///< worth knowing, and no failure
+    std::vector<std::string> notes;  ///< not failures
     bool passed() const;
 };
 
-/// After each pass: it can be drawn without a word from validation, every value is finite, specialized and frozen
-/// modules agree bit for bit, and so do two runs; with `goldens`, it is the golden. After all: what is not live
-/// changes nothing, whatever is bound there.
+/// Checks after each pass: drawing gives no validation messages, every value is finite, specialized and frozen
+/// modules agree bit for bit, two runs agree bit for bit, and with `goldens` the picture equals the golden. After all
+/// passes: resources that are not live change nothing.
 TechniqueResult checkTechnique(headless::Device& device, EffectRenderer& renderer, const permgen::Effect& effect,
                                const permgen::Technique& technique, Tolerance tolerance, const GoldenStore* goldens);
 
-/// What a pass is called in messages and files: its name, or its place where it has none or not one of its own.
+/// A pass's name in messages and files: its own, or its number if it has no name or shares it.
 std::string passLabel(const permgen::Technique& technique, std::size_t pass);
 
-/// The golden's name: the technique, and the pass where there are several.
+/// The golden's name: the technique, and the pass if there are several.
 std::string goldenName(const permgen::Technique& technique, std::size_t pass);
 
 }  // namespace tyndall::rig

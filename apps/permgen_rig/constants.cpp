@@ -1,8 +1,8 @@
 #include "constants.h"
 
-#include <kit/fail.h>
+#include <common/nearest.h>
 #include <fmt/format.h>
-#include <front/nearest.h>
+#include <kit/fail.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,19 +48,20 @@ std::string whyNot(const BlockMember& member, const Numbers& given) {
     if (given.values.size() != member.count())
         return fmt::format("it is a {}: give {}, not {}", member.typeName(), numbers(member.count()),
                            given.values.size());
-    // [[a, b], [c, d], [e, f]] for a float2x3 would be read in the wrong order without a word.
+    // [[a, b], [c, d], [e, f]] for a float2x3 would be read in the wrong order without an error.
     if (given.shape.size() > 1 && given.shape.back() != member.columns)
         return fmt::format("it is a {}: the innermost lists have {}, not {}", member.typeName(),
                            numbers(member.columns), given.shape.back());
     for (const double value : given.values)
-        if (!representable(member.type, value)) return fmt::format("{} is no value of a {}", value, member.typeName());
+        if (!representable(member.type, value))
+            return fmt::format("{} is not a value of a {}", value, member.typeName());
     return {};
 }
 
 }  // namespace
 
 Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
-                                 const Fixture& fixture) {
+                                const Fixture& fixture) {
     Constants constants;
     for (const permgen::Resource& resource : effect.resources)
         if (resource.kind == permgen::ResourceKind::UniformBuffer)
@@ -71,9 +72,8 @@ Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector
     for (const auto& [name, given] : fixture.constants) {
         if (std::find(names.begin(), names.end(), name) != names.end()) continue;
         const std::string known = names.empty() ? "it has none" : fmt::format("it has {}", fmt::join(names, ", "));
-        return failWith(fmt::format("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name,
-                                          effect.name, permgen::suggestion(name, names, "; did you mean ", "?"),
-                                          known));
+        return failWith(fmt::format("{}: constants.{}: {} has no such constant{}; {}", fixture.path, name, effect.name,
+                                    permgen::suggestion(name, names, "; did you mean ", "?"), known));
     }
     for (const BlockMember& member : members) {
         const auto given = fixture.constants.find(member.name);
@@ -104,7 +104,7 @@ std::vector<std::byte> altered(const std::vector<BlockMember>& members, std::str
                 value = next != value ? next : 0.5f * value;
                 std::memcpy(&bytes.at(offset), &value, sizeof value);
             } else {
-                // Another truth value, and small, so that a loop's bound stays one.
+                // Changes a bool's value, and stays small, because the number may bound a loop.
                 std::uint32_t value = 0;
                 std::memcpy(&value, &bytes.at(offset), sizeof value);
                 value = value == 0 ? 1 : 0;

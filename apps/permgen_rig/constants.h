@@ -1,4 +1,4 @@
-// The bytes of an effect's uniform blocks, filled with what a fixture says.
+// The bytes of an effect's uniform blocks, filled from a fixture.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace tyndall::rig {
 
-/// By the block's name; all of them, and 0 wherever the fixture says nothing.
+/// All blocks, by name; 0 for constants that the fixture does not set.
 using Blocks = std::map<std::string, std::vector<std::byte>, std::less<>>;
 
 struct Constants {
@@ -21,11 +21,11 @@ struct Constants {
 };
 
 /// Errors: a constant that the effect does not have (with the nearest name), of another count, or not a whole
-/// number where one is wanted.
+/// number for an integer type.
 Result<Constants> fillConstants(const permgen::Effect& effect, const std::vector<BlockMember>& members,
-                                 const Fixture& fixture);
+                                const Fixture& fixture);
 
-/// The same block with every number of every member something else: what depends on any of them has to change.
+/// The same block with every number changed: a picture that depends on one of them must change.
 std::vector<std::byte> altered(const std::vector<BlockMember>& members, std::string_view block,
                                std::vector<std::byte> bytes);
 

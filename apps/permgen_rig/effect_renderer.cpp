@@ -1,8 +1,8 @@
 #include "effect_renderer.h"
 
-#include <kit/fail.h>
 #include <fmt/format.h>
 #include <headless/commands.h>
+#include <kit/fail.h>
 #include <tyndall/rendering.h>
 
 #include <algorithm>
@@ -37,8 +37,8 @@ Result<headless::Image> upload(const headless::Device& device, const Image& texe
     return image;
 }
 
-/// How many render targets the pass writes, COLOR0 to COLOR3. The rest it leaves alone, as Direct3D 9 has it; Vulkan
-/// leaves what is in them undefined, so that they are not bound.
+/// The number of render targets that the pass writes, COLOR0 to COLOR3. Direct3D 9 leaves the others unchanged. Vulkan
+/// would make them undefined, so they are not bound.
 std::uint32_t targetsOf(const permgen::Pass& pass) {
     std::uint32_t count = 0;
     if (pass.pixel.module)
@@ -53,7 +53,7 @@ std::uint32_t targetsOf(const permgen::Technique& technique) {
     return count;
 }
 
-/// Rendering into the first `count` of the targets, and into the depth buffer where there is one.
+/// Rendering into the first `count` of the targets, and into the depth buffer if there is one.
 void beginRendering(VkCommandBuffer commands, std::span<const headless::Image> colours, const headless::Image* depth,
                     VkAttachmentLoadOp load, const std::array<float, 4>& clear) {
     std::vector<VkRenderingAttachmentInfo> attachments;
@@ -78,7 +78,7 @@ struct EffectRenderer::Targets {
 };
 
 Result<std::unique_ptr<EffectRenderer>> EffectRenderer::create(const headless::Device& device,
-                                                                const permgen::Effect& effect, const Fixture& fixture) {
+                                                               const permgen::Effect& effect, const Fixture& fixture) {
     std::unique_ptr<EffectRenderer> renderer(new EffectRenderer(device, effect, fixture));
     for (const auto step : {&EffectRenderer::makeBlocks, &EffectRenderer::makeTextures, &EffectRenderer::makeGeometry,
                             &EffectRenderer::makePipelines})
@@ -136,7 +136,7 @@ Result<void> EffectRenderer::makeGeometry() {
         made.stride = stream->stride;
         for (const VertexAttribute& attribute : stream->attributes)
             made.elements.push_back({attribute.semantic, attribute.offset, attribute.format});
-        // The stride is dynamic state, so that there is a buffer to be bound even where nothing is read from it.
+        // The stride is dynamic state, so a buffer must be bound even if nothing is read from it.
         if (stream->bytes.empty()) stream->bytes.resize(16);
         auto buffer = headless::Buffer::create(device_, stream->bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "vertices");
         if (!buffer) return tl::unexpected(buffer.error());
@@ -205,7 +205,7 @@ Result<void> EffectRenderer::recordPass(VkCommandBuffer commands, const Targets&
         images.push_back({name, (name == variation ? texture.other : texture.usual).view(),
                           VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
 
-    // Stand-ins are made with the pipeline that needs them, and filled outside of rendering.
+    // Placeholder resources are made with the pipeline that needs them, and filled outside of rendering.
     pipelines.recordNeutralResources(commands);
     headless::fullBarrier(commands);
     beginRendering(commands, colours, fixture_.depth ? &targets.depth : nullptr, VK_ATTACHMENT_LOAD_OP_LOAD, {});
@@ -255,7 +255,7 @@ Result<Image> EffectRenderer::readTargets(const Targets& targets) const {
 }
 
 Result<Image> EffectRenderer::draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
-                                    Variation variation) {
+                                   Variation variation) {
     const auto targets = makeTargets(technique);
     if (!targets) return tl::unexpected(targets.error());
     const auto submitted = headless::submitAndWait(device_, [&](VkCommandBuffer commands) {

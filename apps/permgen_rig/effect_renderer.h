@@ -1,4 +1,4 @@
-// Draws an effect's techniques with what a fixture gives them, off screen.
+// Draws an effect's techniques with a fixture's resources, off screen.
 #pragma once
 
 #include <headless/buffer.h>
@@ -20,20 +20,20 @@
 
 namespace tyndall::rig {
 
-/// One resource with something else in it; empty: none.
+/// The resource whose content is changed; empty: none.
 using Variation = std::string_view;
 
 class EffectRenderer {
 public:
-    /// Everything that can be wrong with effect and fixture is found here: the fixture has to give what the effect's
+    /// Finds all errors of effect and fixture: the fixture must give all resources that the effect's
     /// techniques read. `effect` must outlive it.
-    static Result<std::unique_ptr<EffectRenderer>> create(const headless::Device& device,
-                                                           const permgen::Effect& effect, const Fixture& fixture);
+    static Result<std::unique_ptr<EffectRenderer>> create(const headless::Device& device, const permgen::Effect& effect,
+                                                          const Fixture& fixture);
 
-    /// The target after the technique's first `passes` passes; further targets stand below the first. With
-    /// Shaders::Specialized everything is bound that the fixture gives, whether it is live or not.
+    /// The target after the technique's first `passes` passes; further targets are below the first. With
+    /// Shaders::Specialized all of the fixture's resources are bound, live or not.
     Result<Image> draw(const permgen::Technique& technique, std::size_t passes, Shaders shaders,
-                        Variation variation = {});
+                       Variation variation = {});
 
     /// Whether draw() has a variation of that resource.
     bool canVary(std::string_view resource) const;

@@ -1,6 +1,7 @@
 #include "fixture.h"
 
 #include <kit/fail.h>
+
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int maxSide = 4096;
 constexpr std::size_t maxVertices = 1u << 20;
-constexpr int deepest = 64;  // the deepest product takes 37; what is walked by recursion ends long before the stack
+constexpr int deepest = 64;  // the deepest product takes 37; recursion this deep does not fill the stack
 
 void readNumbers(const JsonValue& value, std::size_t depth, Numbers& numbers) {
     if (value.json().is_boolean()) {
@@ -29,7 +30,7 @@ void readNumbers(const JsonValue& value, std::size_t depth, Numbers& numbers) {
     if (list.empty()) value.fail("an empty list says nothing; leave it out");
     if (numbers.shape.size() == depth) numbers.shape.push_back(list.size());
     if (depth >= 3 || numbers.shape[depth] != list.size())
-        value.fail("lists in a list are of one length, and nested three deep at most");
+        value.fail("lists in a list must have equal lengths, and nest at most three deep");
     for (const JsonValue& inner : list) {
         if (inner.json().is_array() != list[0].json().is_array())
             inner.fail("numbers and lists do not mix in one list");
@@ -52,7 +53,7 @@ Value choose(const JsonValue& value, std::initializer_list<std::pair<std::string
         if (text == name) return choice;
         known += (known.empty() ? "" : ", ") + std::string(name);
     }
-    value.fail("\"{}\" is none of {}", text, known);
+    value.fail("\"{}\" is not one of {}", text, known);
 }
 
 std::array<int, 2> readPair(const JsonValue& value, int maximum) {
@@ -72,7 +73,7 @@ std::array<float, 4> readColour(const JsonValue& value) {
 TextureSource readTexture(const JsonValue& value, const std::filesystem::path& folder) {
     value.allowOnly({"image", "generate", "size", "colours", "cells", "seed"});
     if (value.has("image")) {
-        if (value.members().size() != 1) value.fail("an image file needs nothing else said");
+        if (value.members().size() != 1) value.fail("a texture with \"image\" has no other settings");
         return ImageFile{(folder / value.at("image").text()).string()};
     }
     Generated made;
@@ -89,7 +90,7 @@ TextureSource readTexture(const JsonValue& value, const std::filesystem::path& f
         const auto colours = value.at("colours").list();
         const std::size_t wanted = made.pattern == Pattern::Constant ? 1 : 2;
         if (colours.size() != wanted)
-            value.at("colours").fail("{} colour(s) are wanted, not {}", wanted, colours.size());
+            value.at("colours").fail("{} colour(s) are needed, not {}", wanted, colours.size());
         for (std::size_t i = 0; i < wanted; ++i) made.colours[i] = readColour(colours[i]);
     } else if (made.pattern == Pattern::Constant) {
         value.fail("a constant texture has \"colours\": [[r, g, b, a]]");
@@ -116,12 +117,12 @@ ExplicitGeometry readGeometry(const JsonValue& value) {
             vertices.emplace_back();
             for (const JsonValue& number : row.list()) vertices.back().push_back(number.number());
             if (vertices.back().empty() || vertices.back().size() > 4 || vertices.back().size() != vertices[0].size())
-                row.fail("a vertex has 1 to 4 numbers here, as many as the one before it");
+                row.fail("a vertex must have 1 to 4 numbers, the same count for all vertices");
         }
         if (vertices.empty() || vertices.size() > maxVertices)
             rows.fail("there are 1 to {} vertices, not {}", maxVertices, vertices.size());
         if (count != 0 && vertices.size() != count)
-            rows.fail("there are {} vertices, and {} of another semantic; give each vertex both", vertices.size(),
+            rows.fail("there are {} vertices, but {} of another semantic; give each vertex both", vertices.size(),
                       count);
         count = vertices.size();
         geometry.vertices[semanticName(name)] = std::move(vertices);
@@ -134,7 +135,7 @@ ExplicitGeometry readGeometry(const JsonValue& value) {
         for (std::uint32_t i = 0; i < count; ++i) geometry.indices.push_back(i);
     }
     if (geometry.indices.empty() || geometry.indices.size() % 3 != 0)
-        value.fail("{} indices are no triangles; give three for each", geometry.indices.size());
+        value.fail("{} indices do not make triangles; give three for each", geometry.indices.size());
     return geometry;
 }
 
@@ -185,7 +186,7 @@ JsonValue::Json parse(const std::string& text, const std::string& path) {
                 "{}: brackets and braces are nested more than {} deep; no fixture needs that", path, deepest));
         return true;
     };
-    return JsonValue::Json::parse(text, checkDepth, true, true);  // comments are welcome
+    return JsonValue::Json::parse(text, checkDepth, true, true);  // with comments
 }
 
 }  // namespace
@@ -194,18 +195,17 @@ Result<Fixture> readFixture(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         return failWith(path + ": this is a folder; name a fixture file, as in " +
-                              (std::filesystem::path(path) / "NAME.rig.json").string());
+                        (std::filesystem::path(path) / "NAME.rig.json").string());
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file.is_open() || file.bad())
-        return failWith(path + ": cannot be read; name a fixture file that is there");
+    if (!file.is_open() || file.bad()) return failWith(path + ": cannot be read; name an existing fixture file");
     try {
         const JsonValue::Json json = parse(text, path);
         return read(JsonValue(json, path + ":"), path);
     } catch (const FixtureFault& fault) {
         return failWith(std::string(fault.what()));
     } catch (const JsonValue::Json::exception& error) {
-        return failWith(path + ": this is no JSON: " + error.what());
+        return failWith(path + ": this is not JSON: " + error.what());
     }
 }
 

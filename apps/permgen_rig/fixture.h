@@ -1,4 +1,4 @@
-// What an effect is tried out with, as its fixture file says it: plain data, checked against nothing yet.
+// The content of a fixture file, which an effect is tested with: plain data, not yet checked against the effect.
 // apps/permgen_rig/README.md describes the file.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace tyndall::rig {
 
-/// Numbers in the order they were written, and how they were nested: [[1, 2], [3, 4]] has the shape {2, 2}, a
+/// Numbers in the file's order, and their nesting: [[1, 2], [3, 4]] has the shape {2, 2}, a
 /// single number an empty one.
 struct Numbers {
     std::vector<double> values;

@@ -1,7 +1,7 @@
 #include "geometry.h"
 
-#include <kit/fail.h>
 #include <fmt/format.h>
+#include <kit/fail.h>
 
 #include <cmath>
 #include <cstring>
@@ -35,7 +35,7 @@ ExplicitGeometry cube() {
             glm::dvec3 normal(0.0), tangent(0.0);
             normal[axis] = side;
             tangent[(axis + 1) % 3] = 1.0;
-            // Of a right-handed frame, seen from outside: tangent right, upward up.
+            // A right-handed frame, seen from outside: tangent to the right, upward up.
             const glm::dvec3 upward = glm::cross(normal, tangent);
             const auto first = static_cast<std::uint32_t>(geometry.vertices["POSITION0"].size());
             for (const glm::dvec2 at : {glm::dvec2(-1, 1), {1, 1}, {1, -1}, {-1, -1}})
@@ -128,7 +128,7 @@ Result<VertexStream> vertexStream(const permgen::Module& module, const ExplicitG
             std::vector<std::string> known;
             for (const auto& [semantic, values] : geometry.vertices) known.push_back(semantic);
             return failWith(
-                fmt::format("geometry: the vertex shader {} reads {}, and the vertices have {}; give "
+                fmt::format("geometry: the vertex shader {} reads {}, but the vertices have {}; give "
                             "\"vertices\" with it",
                             module.name, attribute.semantic, fmt::join(known, ", ")));
         }

@@ -1,4 +1,4 @@
-// Vertices for whatever a vertex shader reads.
+// Vertices for a vertex shader's inputs.
 #pragma once
 
 #include <permgen/tables.h>
@@ -11,9 +11,9 @@
 
 namespace tyndall::rig {
 
-/// Vertices by semantic, up to four numbers each, and triangles; clockwise as seen from their front, which is what
-/// Direct3D 9 keeps. A built-in shape has POSITION0, NORMAL0, TANGENT0, BINORMAL0, TEXCOORD0 and COLOR0:
-/// triangle and quad lie in clip space at depth 0 and fill the picture, cube and sphere reach from -1 to 1.
+/// Vertices by semantic, up to four numbers each, and triangles; clockwise as seen from their front, which
+/// Direct3D 9 does not cull. A built-in shape has POSITION0, NORMAL0, TANGENT0, BINORMAL0, TEXCOORD0 and COLOR0:
+/// triangle and quad lie in clip space at depth 0 and fill the picture, cube and sphere extend from -1 to 1.
 ExplicitGeometry builtInGeometry(Shape shape);
 
 ExplicitGeometry geometryOf(const Fixture& fixture);
@@ -31,8 +31,8 @@ struct VertexStream {
     std::vector<std::byte> bytes;
 };
 
-/// The stream of `module`'s attributes, each as wide and of the type that it reads; what a vertex does not say is 0,
-/// and 1 for a fourth number. Errors: a semantic that the geometry lacks.
+/// The stream of `module`'s attributes, with their widths and types. Numbers that a vertex lacks are 0, or 1 for the
+/// fourth. Errors: a semantic that the geometry lacks.
 Result<VertexStream> vertexStream(const permgen::Module& module, const ExplicitGeometry& geometry);
 
 }  // namespace tyndall::rig

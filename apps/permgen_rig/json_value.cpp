@@ -1,6 +1,6 @@
 #include "json_value.h"
 
-#include <front/nearest.h>
+#include <common/nearest.h>
 
 #include <algorithm>
 
@@ -11,39 +11,39 @@ std::string JsonValue::below(std::string_view name) const {
 }
 
 std::string JsonValue::text() const {
-    if (!json_->is_string()) fail("this is a text in quotes, not {}", json_->dump());
+    if (!json_->is_string()) fail("this must be a text in quotes, not {}", json_->dump());
     return json_->get<std::string>();
 }
 
 bool JsonValue::boolean() const {
-    if (!json_->is_boolean()) fail("this is true or false, not {}", json_->dump());
+    if (!json_->is_boolean()) fail("this must be true or false, not {}", json_->dump());
     return json_->get<bool>();
 }
 
 double JsonValue::number(double minimum, double maximum) const {
-    if (!json_->is_number()) fail("this is a number, not {}", json_->dump());
+    if (!json_->is_number()) fail("this must be a number, not {}", json_->dump());
     const double value = json_->get<double>();
     if (!(value >= minimum && value <= maximum))
-        fail("this is a number from {} to {}, not {}", minimum, maximum, json_->dump());
+        fail("this must be a number from {} to {}, not {}", minimum, maximum, json_->dump());
     return value;
 }
 
 int JsonValue::integer(int minimum, int maximum) const {
     const double value = json_->is_number() ? json_->get<double>() : minimum - 1.0;
     if (!(value >= minimum && value <= maximum) || value != static_cast<int>(value))
-        fail("this is a whole number from {} to {}, not {}", minimum, maximum, json_->dump());
+        fail("this must be a whole number from {} to {}, not {}", minimum, maximum, json_->dump());
     return static_cast<int>(value);
 }
 
 std::vector<JsonValue> JsonValue::list() const {
-    if (!json_->is_array()) fail("this is a list in brackets, not {}", json_->dump());
+    if (!json_->is_array()) fail("this must be a list in brackets, not {}", json_->dump());
     std::vector<JsonValue> values;
     for (std::size_t i = 0; i < json_->size(); ++i) values.emplace_back((*json_)[i], fmt::format("{}[{}]", place_, i));
     return values;
 }
 
 std::vector<std::pair<std::string, JsonValue>> JsonValue::members() const {
-    if (!json_->is_object()) fail("this is an object in braces, not {}", json_->dump());
+    if (!json_->is_object()) fail("this must be an object in braces, not {}", json_->dump());
     std::vector<std::pair<std::string, JsonValue>> all;
     for (const auto& [name, value] : json_->items()) all.emplace_back(name, JsonValue(value, below(name)));
     return all;
@@ -62,7 +62,7 @@ void JsonValue::allowOnly(std::initializer_list<std::string_view> names) const {
     for (const auto& [name, value] : members()) {
         if (std::find(names.begin(), names.end(), name) != names.end()) continue;
         const std::vector<std::string_view> known(names);
-        fail("there is nothing called \"{}\" here{}; it may hold {}", name,
+        fail("\"{}\" has no meaning here{}; it may hold {}", name,
              permgen::suggestion(name, known, "; did you mean \"", "\"?"), fmt::join(known, ", "));
     }
 }

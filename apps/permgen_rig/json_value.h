@@ -1,4 +1,4 @@
-// A JSON value that knows where it stands, so that every complaint about it can say so.
+// A JSON value with its place in the file, for error messages.
 #pragma once
 
 #include <fmt/format.h>

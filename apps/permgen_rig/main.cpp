@@ -1,6 +1,6 @@
 // The program: command line in, verdicts out.
+#include <common/nearest.h>
 #include <fmt/format.h>
-#include <front/nearest.h>
 #include <permgen/manifest.h>
 #include <rig/report.h>
 
@@ -15,7 +15,6 @@
 #include "effect_renderer.h"
 #include "fixture.h"
 #include "options.h"
-#include "effect_renderer.h"
 
 namespace tyndall::rig {
 namespace {
@@ -30,7 +29,7 @@ struct Failing {
     throw Failing{sentence};
 }
 
-/// The effect with the techniques that are asked for, and no others.
+/// The effect with the requested techniques only.
 permgen::Effect chosen(const permgen::Effect& effect, const Options& options) {
     if (options.technique.empty()) return effect;
     std::vector<std::string_view> names;
@@ -59,7 +58,7 @@ headless::Device openDevice(const Options& options) {
     wanted.deviceName = options.device;
     wanted.preferSoftware = true;
     wanted.validation = true;
-    wanted.skipInvalidCalls = true;  // a driver need not survive what validation objects to
+    wanted.skipInvalidCalls = true;  // a driver may crash on invalid calls
     auto device = headless::Device::create(wanted);
     if (device) return std::move(*device);
     const std::string reason = device.error().message;
@@ -98,7 +97,7 @@ std::vector<std::pair<std::string, std::string>> switches(const permgen::Techniq
     return named;
 }
 
-/// From wherever the command is given again.
+/// An absolute path, so that the command works in any folder.
 std::string absolute(const std::string& path) {
     std::error_code ignored;
     return path.empty() ? path : std::filesystem::absolute(path, ignored).lexically_normal().string();
@@ -135,12 +134,13 @@ void report(const Options& options, const permgen::Effect& effect, const permgen
     if (!reported) stop(reported.error().message);
 }
 
-/// A technique that was renamed or taken out never passes again: its failures would stay in the report for good.
+/// A renamed or removed technique never passes again, so its failures would stay in the report.
 void forgetOtherTechniques(const Options& options, const permgen::Effect& effect) {
     if (options.report.empty()) return;
     std::vector<std::string> names;
     for (const permgen::Technique& technique : effect.techniques) names.emplace_back(technique.name);
-    if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done) stop(done.error().message);
+    if (const auto done = reportTechniques(options.report, std::string(effect.name), names); !done)
+        stop(done.error().message);
 }
 
 bool tryOut(headless::Device& device, EffectRenderer& renderer, const permgen::Effect& effect,
@@ -180,7 +180,8 @@ Status run(const Options& options) {
     fmt::print("{}: {} of {} techniques on {}\n", effect.name, effect.techniques.size(), whole.techniques.size(),
                device.name());
     if (!(*renderer)->unsetConstants().empty())
-        fmt::print("note: the fixture leaves these constants at 0: {}\n", fmt::join((*renderer)->unsetConstants(), ", "));
+        fmt::print("note: the fixture leaves these constants at 0: {}\n",
+                   fmt::join((*renderer)->unsetConstants(), ", "));
     forgetOtherTechniques(options, whole);
     std::size_t failed = 0;
     for (const permgen::Technique& technique : effect.techniques)
@@ -196,7 +197,7 @@ Status run(const Options& options) {
 }  // namespace tyndall::rig
 
 int main(int argc, char** argv) {
-    // Writing past a size limit or into a closed pipe is an error to report, not a reason to die halfway.
+    // Writing past a size limit or into a closed pipe is reported as an error instead of ending the program.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     tyndall::rig::Options options;
@@ -208,7 +209,7 @@ int main(int argc, char** argv) {
     } catch (const tyndall::rig::Failing& failing) {
         fmt::print(stderr, "permgen-rig: error: {}\n", failing.sentence);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "permgen-rig: error: {}; this is a fault of permgen-rig, please report it\n", error.what());
+        fmt::print(stderr, "permgen-rig: error: {}; this is a bug in permgen-rig, please report it\n", error.what());
     }
     return tyndall::rig::NothingTried;
 }

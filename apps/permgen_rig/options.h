@@ -14,7 +14,7 @@ struct Options {
     bool list = false;
 };
 
-/// Exit status where there is nothing to run: 0 after --help or --version, 2 where the line is wrong; else -1.
+/// Exit status if there is nothing to run: 0 after --help or --version, 2 if the command line is wrong; else -1.
 int parseOptions(int argc, char** argv, Options& options);
 
 }  // namespace tyndall::rig

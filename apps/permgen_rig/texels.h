@@ -9,7 +9,7 @@
 
 namespace tyndall::rig {
 
-/// Of R32G32B32A32_SFLOAT, R16G16B16A16_SFLOAT or R8G8B8A8_UNORM: four a texel.
+/// Formats: R32G32B32A32_SFLOAT, R16G16B16A16_SFLOAT or R8G8B8A8_UNORM; four floats per texel.
 std::vector<float> decodeTexels(std::span<const std::byte> bytes, VkFormat format);
 
 }  // namespace tyndall::rig

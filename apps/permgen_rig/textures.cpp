@@ -1,16 +1,16 @@
 #include "textures.h"
 
-#include <kit/fail.h>
+#include <common/names.h>
+#include <common/nearest.h>
 #include <fmt/format.h>
-#include <back/names.h>
-#include <front/nearest.h>
+#include <kit/fail.h>
 
 #include <algorithm>
 
 namespace tyndall::rig {
 namespace {
 
-/// 0 to 1, of a texel's place and channel: Wang's integer hash, as T. Wang published it in 1997.
+/// 0 to 1, from a texel's position and channel: T. Wang's integer hash (1997).
 float noise(std::uint32_t x, std::uint32_t y, std::uint32_t channel, std::uint32_t seed) {
     std::uint32_t h = x + 4099u * y + 16785407u * channel + 2654435769u * seed;
     h = (h ^ 61u) ^ (h >> 16);
@@ -47,7 +47,7 @@ Image generate(const Generated& made) {
     return image;
 }
 
-/// Grey is spread over three channels, and what has no alpha is opaque.
+/// Grey is copied to three channels; images without alpha are opaque.
 Image fourChannels(const Image& image) {
     Image wide = blankImage(image.width, image.height, 4);
     for (int y = 0; y < image.height; ++y)
@@ -66,7 +66,7 @@ Result<Image> load(const TextureSource& source) {
     return fourChannels(*image);
 }
 
-/// The first technique that reads the resource; empty where none does.
+/// The first technique that reads the resource; empty if there is none.
 std::string_view readerOf(const permgen::Effect& effect, std::string_view resource) {
     for (const permgen::Technique& technique : effect.techniques)
         for (const permgen::Pass& pass : technique.passes)
@@ -97,13 +97,13 @@ Result<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixtur
         if (resource.dimension != permgen::ImageDimension::Two) {
             if (reader.empty()) continue;
             return fail(name,
-                        fmt::format("{} reads it, and it is a {}, which a fixture cannot fill; leave the technique "
+                        fmt::format("{} reads it, but it is a {}, which a fixture cannot fill; leave the technique "
                                     "out with --technique",
                                     reader, permgen::resource_name(resource.kind, resource.dimension)));
         }
         if (source == fixture.textures.end()) {
             if (reader.empty()) continue;
-            return fail(name, fmt::format("{} reads it, and the fixture gives it no texture; give it one, such as "
+            return fail(name, fmt::format("{} reads it, but the fixture gives it no texture; give it one, such as "
                                           "{{\"generate\": \"checker\"}}",
                                           reader));
         }
@@ -119,7 +119,7 @@ Image altered(const Image& texels) {
     Image other = texels;
     for (std::size_t i = 0; i < other.values.size(); ++i) {
         const float value = other.values[i];
-        // Mirrored within 0 to 1, and moved, so that one half becomes another value too.
+        // Mirrored within 0 to 1, and moved, so that 0.5 changes too.
         other.values[i] =
             (value < 0.5f ? 0.9f : 0.05f) + 0.0625f * static_cast<float>(i % 4) * (value < 0.5f ? -1.0f : 1.0f);
     }

@@ -14,11 +14,11 @@ namespace tyndall::rig {
 /// Four channels each, by the sampler's name. A generated texture is the same on every machine.
 using Texels = std::map<std::string, Image>;
 
-/// Errors: a sampler that the effect does not have (with the nearest name), one that some technique reads and that
-/// has no texture, one that is no 2D sampler, an image file that cannot be read.
+/// Errors: a sampler that the effect does not have (with the nearest name), a sampler that a technique reads and that
+/// has no texture or is not 2D, an image file that cannot be read.
 Result<Texels> makeTextures(const permgen::Effect& effect, const Fixture& fixture);
 
-/// The same size, every texel and channel another value: a picture that reads it has to change.
+/// The same size, with every texel and channel changed: a picture that reads it must change.
 Image altered(const Image& texels);
 
 }  // namespace tyndall::rig

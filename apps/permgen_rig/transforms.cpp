@@ -14,7 +14,7 @@ glm::dvec3 vector3(const JsonValue& value) {
 
 glm::dvec3 direction(const JsonValue& value) {
     const glm::dvec3 v = vector3(value);
-    if (!(glm::length(v) > 0.0)) value.fail("a direction is longer than 0");
+    if (!(glm::length(v) > 0.0)) value.fail("a direction must be longer than 0");
     return v;
 }
 
@@ -25,7 +25,7 @@ glm::dmat4 perspective(const JsonValue& value) {
     const double aspect = value.has("aspect") ? value.at("aspect").number(1e-3, 1e3) : 1.0;
     const double near = value.at("near").number(1e-6, 1e9);
     const double far = value.at("far").number(0.0, 1e12);
-    if (!(far > near)) value.fail("\"far\" is beyond \"near\"");
+    if (!(far > near)) value.fail("\"far\" must be beyond \"near\"");
     const double halfFov = 0.5 * fov;
     const double scale = 1.0 / std::tan(halfFov);
     glm::dmat4 m(0.0);
@@ -51,13 +51,13 @@ glm::dmat4 rotation(const JsonValue& value) {
     return glm::rotate(glm::dmat4(1.0), glm::radians(value.at("degrees").number()), direction(value.at("axis")));
 }
 
-// Deeper than any arrangement by hand, and far from what the stack holds.
+// Deeper than any fixture needs; recursion this deep does not fill the stack.
 constexpr int deepestProduct = 16;
 
 glm::dmat4 matrix(const JsonValue& value, int depth = 0) {
     value.allowOnly({"identity", "perspective", "lookAt", "rotate", "scale", "translate", "product"});
     const auto members = value.members();
-    if (members.size() != 1) value.fail("a matrix is one of these at a time; put several into \"product\"");
+    if (members.size() != 1) value.fail("a matrix must be exactly one of these; put several into \"product\"");
     const auto& [name, inner] = members[0];
     if (name == "perspective") return perspective(inner);
     if (name == "lookAt") return lookAt(inner);
@@ -67,8 +67,7 @@ glm::dmat4 matrix(const JsonValue& value, int depth = 0) {
     glm::dmat4 all(1.0);
     if (name != "product") return all;
     if (depth == deepestProduct)
-        inner.fail("products are nested {} deep at most; write the factors of the inner ones into one list",
-                   deepestProduct);
+        inner.fail("products nest at most {} deep; write the factors of the inner ones into one list", deepestProduct);
     for (const JsonValue& factor : inner.list()) all = all * matrix(factor, depth + 1);
     return all;
 }

@@ -1,4 +1,4 @@
-// Matrices in a fixture's words: {"perspective": …}, {"lookAt": …} and their product.
+// Matrices as a fixture writes them: {"perspective": …}, {"lookAt": …} and their product.
 #pragma once
 
 #include "fixture.h"
@@ -6,7 +6,7 @@
 
 namespace tyndall::rig {
 
-/// True where the value is an object, which only a matrix is written as.
+/// True if the value is an object; only matrices are objects.
 bool isTransform(const JsonValue& value);
 
 /// Sixteen numbers in the shape {4, 4}, rows as mul(matrix, vector) has them.

@@ -1,6 +1,6 @@
-"""Puts textures into a .glb that no material uses, and says on a light's node what Tyndall does with them.
+"""Adds textures that no material uses to a .glb, and names them in a light's settings for Tyndall.
 
-Blender exports only images that a material shows; a slide in a projector is none of them.
+Blender exports only images that a material uses, so cookies and noise must be added afterwards.
 
     python3 glb.py IN.glb OUT.glb --light NODE [--cookie PNG] [--noise PNG] [--set KEY=JSON]...
 """
@@ -35,7 +35,7 @@ def read(path):
 
 
 def write(path, document, binary):
-    """Writes beside `path` first, so that a failure leaves what was there."""
+    """Writes a temporary file and renames it, so that a failure leaves the old file."""
     if binary:
         document.setdefault("buffers", [{}])[0]["byteLength"] = len(binary)
     text = json.dumps(document, separators=(",", ":")).encode()
@@ -65,7 +65,7 @@ def add_texture(document, binary, name, png):
 def settings_of(document, node_name):
     """The `extras.tyndall` of the node that carries the light; made if absent.
 
-    Some exporters hang the light on a child of the node that bears its name: then the child is the one.
+    Some exporters put the light on a child of the node with its name; then this returns the child's.
     """
     nodes = document.get("nodes", [])
 
@@ -77,10 +77,10 @@ def settings_of(document, node_name):
             continue
         for bearer in [node] + [nodes[i] for i in node.get("children", [])]:
             if has_light(bearer):
-                said = node.get("extras", {}).pop("tyndall", {}) if bearer is not node else {}
-                return bearer.setdefault("extras", {}).setdefault("tyndall", said)
+                parent_settings = node.get("extras", {}).pop("tyndall", {}) if bearer is not node else {}
+                return bearer.setdefault("extras", {}).setdefault("tyndall", parent_settings)
     lights = ", ".join(repr(n.get("name")) for n in nodes if has_light(n)) or "none"
-    raise ValueError(f"no light stands on a node named {node_name!r}; lights here: {lights}; name one of them")
+    raise ValueError(f"there is no light on a node named {node_name!r}; lights here: {lights}; name one of them")
 
 
 def main(arguments):

@@ -2,7 +2,7 @@
 
     blender --background --python-exit-code 1 --python apps/scenes/street.py -- OUTPUT.glb
 
-README.md beside this file says what is in it. Lengths in metres; Blender's axes here (Z up), glTF's in the file.
+README.md describes it. Lengths in metres; Blender's axes here (Z up), glTF's in the file.
 """
 
 import os

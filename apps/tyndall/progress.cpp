@@ -22,11 +22,11 @@ std::array<struct sigaction, signals.size()> before;
 void catchSignals() {
     struct sigaction action {};
     action.sa_handler = askToStop;
-    action.sa_flags = SA_RESETHAND | SA_RESTART;  // the second signal meets the default: it ends the program
+    action.sa_flags = SA_RESETHAND | SA_RESTART;  // the second signal has the default action: it ends the program
     sigemptyset(&action.sa_mask);
     for (std::size_t i = 0; i < signals.size(); ++i) {
         sigaction(signals[i], nullptr, &before[i]);
-        if (before[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);  // as nohup and shells ask for
+        if (before[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);  // as nohup and shells expect
     }
 }
 

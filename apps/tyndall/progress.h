@@ -1,4 +1,4 @@
-// How long work is followed from the terminal, and stopped from it.
+// Shows the progress of long work in the terminal, and stops it on a signal.
 #pragma once
 
 #include <chrono>
@@ -7,11 +7,11 @@
 
 namespace tyndall::app {
 
-/// Told the share done, 0 to 1; false asks the work to stop.
+/// Called with the share done, 0 to 1; returning false stops the work.
 using Progress = std::function<bool(double)>;
 
-/// From construction to destruction, Ctrl-C and SIGTERM only set a mark that report() answers to; a second one
-/// ends the program at once. Signals that were ignored stay so. One at a time.
+/// From construction to destruction, Ctrl-C and SIGTERM only set a flag that report() reads; a second signal
+/// ends the program at once. Ignored signals stay ignored. Only one Watch may exist at a time.
 class Watch {
 public:
     explicit Watch(std::string what);
@@ -19,7 +19,7 @@ public:
     Watch& operator=(const Watch&) = delete;
     ~Watch();
 
-    /// False once a signal came. Where standard error is a terminal, keeps one line up to date on it.
+    /// False after a signal. If standard error is a terminal, updates one line on it.
     bool report(double share);
 
 private:

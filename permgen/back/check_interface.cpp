@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <spirv/unified1/spirv.hpp>
 
-#include "back/names.h"
+#include "common/names.h"
 
 namespace permgen {
 namespace {
@@ -52,10 +52,9 @@ public:
 
 private:
     void fault(const SourceLocation& place, const std::string& what) const {
-        out_.push_back(
-            {Severity::Error, "PG056", place.file.empty() ? module_.place : place,
-             "entry point '" + module_.author_entry + "': " + what +
-                 "; the shader compiler changed its meaning; this is a fault of permgen, please report it"});
+        out_.push_back({Severity::Error, "PG056", place.file.empty() ? module_.place : place,
+                        "entry point '" + module_.author_entry + "': " + what +
+                            "; the shader compiler changed its meaning; this is a fault of permgen, please report it"});
     }
     bool is_builtin(const LoweredAttribute& attribute, Direction direction, std::uint32_t kind) const {
         return attribute.builtin && std::any_of(std::begin(builtins), std::end(builtins), [&](const Builtin& builtin) {

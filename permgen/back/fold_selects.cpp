@@ -5,7 +5,7 @@
 #include <spirv/unified1/spirv.hpp>
 #include <unordered_map>
 
-#include "back/spirv_module.h"
+#include "common/spirv_module.h"
 
 namespace permgen {
 namespace {

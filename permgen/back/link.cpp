@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "back/names.h"
+#include "common/names.h"
 
 namespace permgen {
 namespace {

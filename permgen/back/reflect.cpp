@@ -4,7 +4,7 @@
 #include <spirv/unified1/spirv.hpp>
 #include <stdexcept>
 
-#include "back/spirv_module.h"
+#include "common/spirv_module.h"
 
 namespace permgen {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "back/program.h"
-#include "emit/write_files.h"
+#include "common/write_files.h"
 
 namespace permgen {
 

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <map>
 
-#include "back/names.h"
+#include "common/names.h"
 #include "emit/emit.h"
 
 namespace permgen {

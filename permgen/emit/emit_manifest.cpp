@@ -1,7 +1,7 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
-#include "back/names.h"
+#include "common/names.h"
 #include "emit/emit.h"
 #include "emit/manifest_json.h"
 

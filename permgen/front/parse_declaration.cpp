@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "front/nearest.h"
+#include "common/nearest.h"
 #include "front/parse.h"
 #include "front/report.h"
 
@@ -218,8 +218,7 @@ void parse_struct(ParseCursor& cursor) {
     parse_members(cursor, std::string(name.text), structure.members);
     if (cursor.peek().is_identifier())
         cursor.fail("PG020", cursor.peek().at,
-                    "expected ';' after struct '" + std::string(structure.name) +
-                        "'; declare the variable separately");
+                    "expected ';' after struct '" + std::string(structure.name) + "'; declare the variable separately");
     cursor.expect(";", "after struct '" + std::string(structure.name) + "'");
     structure.range.end = cursor.at;
     cursor.effect.items.push_back({ItemKind::Struct, cursor.effect.structs.size(), 1, structure.range});

@@ -5,9 +5,9 @@
 #include <cctype>
 #include <span>
 
+#include "common/nearest.h"
 #include "d3d9/profiles.h"
 #include "d3d9/states.h"
-#include "front/nearest.h"
 #include "front/parse_declaration.h"
 #include "front/report.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "front/nearest.h"
+#include "common/nearest.h"
 #include "front/preprocess_expression.h"
 #include "front/preprocess_macro.h"
 #include "front/report.h"

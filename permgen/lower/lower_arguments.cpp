@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "front/nearest.h"
+#include "common/nearest.h"
 #include "front/parse_cursor.h"
 #include "front/preprocess_expression.h"
 #include "front/report.h"

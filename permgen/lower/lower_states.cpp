@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "common/nearest.h"
 #include "d3d9/states.h"
-#include "front/nearest.h"
 #include "front/parse_cursor.h"
 #include "front/preprocess_expression.h"
 #include "front/report.h"

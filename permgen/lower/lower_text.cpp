@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "common/names.h"
 #include "front/report.h"
 
 namespace permgen {

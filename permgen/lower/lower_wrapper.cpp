@@ -107,8 +107,7 @@ void declare_structure(LoweredText& text, const std::string& name, Stage stage, 
     std::set<std::string> declared;
     for (const InterfaceSlot& slot : slots) {
         const std::string semantic = slot.canonical();
-        if (slot.absent || !declared.insert(semantic).second)
-            continue;  // VPOS and POSITION: one builtin, read twice
+        if (slot.absent || !declared.insert(semantic).second) continue;  // VPOS and POSITION: one builtin, read twice
         std::string line = "    ";
         if (slot.point_size)
             line += "[[vk::builtin(\"PointSize\")]] ";

@@ -15,10 +15,6 @@
 
 namespace permgen {
 
-/// The prefix of author's names that glslang reserves (`point`, `sampler`, ...). Such members and resources have it in
-/// the SPIR-V, and not in permgen's output.
-inline constexpr std::string_view renamed_prefix = "permgen_id_";
-
 /// A specialization constant that the generated wrapper declares.
 struct LoweredAxis {
     std::string name;  ///< the author's parameter name

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "front/nearest.h"
+#include "common/nearest.h"
 #include "front/parse_cursor.h"
 #include "front/preprocess_macro.h"
 #include "lower/lower_arguments.h"

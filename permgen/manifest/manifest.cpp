@@ -207,7 +207,8 @@ std::filesystem::path find_manifest(const std::filesystem::path& path) {
     if (found.size() == 1) return found.front();
     const std::string remedy = found.empty() ? "; run permgen compile with it as the folder" : "; name one of them";
     throw Fault{path.string() + ": the folder holds " + std::to_string(found.size()) + " manifests (*" +
-                std::string(manifest_ending) + ")" + remedy, ErrorCode::File};
+                    std::string(manifest_ending) + ")" + remedy,
+                ErrorCode::File};
 }
 
 nlohmann::json parse(const std::filesystem::path& file) {

@@ -106,8 +106,7 @@ std::vector<std::string> savings(const PlannedLight& light) {
         if (light.verdicts[term] == TermVerdict::Uniform)
             sentences.push_back("No " + name + ": it is the same in all of the seen air; a factor replaces it.");
         if (light.verdicts[term] == TermVerdict::Invisible)
-            sentences.push_back("No " + name +
-                                ": it differs by less than the display shows; its mean replaces it.");
+            sentences.push_back("No " + name + ": it differs by less than the display shows; its mean replaces it.");
         if (light.verdicts[term] == TermVerdict::Overruled)
             sentences.push_back("No " + name + ": the options leave it out.");
     }

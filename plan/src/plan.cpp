@@ -2,7 +2,7 @@
 
 #include "check/plan_check.h"
 #include "geometry/capacity.h"
-#include "geometry/plan_geometry.h"
+#include "plan_geometry.h"
 #include "plan_groups.h"
 #include "plan_stages.h"
 #include "slice_constants.h"
@@ -84,7 +84,8 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
             return broken(
                 placeOf(light, candidate.light) +
                 ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, density / "
-                "albedo, intensity, ambient, noise scale, gain and scroll * time must each stay under 3e38; lower them");
+                "albedo, intensity, ambient, noise scale, gain and scroll * time must each stay under 3e38; lower "
+                "them");
         plan.constants.push_back(constants);
         planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
         const LightVolume& volume = candidate.seen.volume;
@@ -139,8 +140,7 @@ Result<void> Planner::surfaces(std::span<const Light> lights, const View& view, 
     }
     needs.resize(lights.size());
     const PlanContext context{view, options, surroundings, viewSides(view, 1.0)};
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        surfaceLight(context, lights[i], needs[i], impl_->scratch);
+    for (std::size_t i = 0; i < lights.size(); ++i) surfaceLight(context, lights[i], needs[i], impl_->scratch);
     return {};
 } catch (const CapacityExceeded& exceeded) {
     needs.clear();

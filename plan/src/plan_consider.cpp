@@ -37,8 +37,8 @@ double detailOf(const Light& light, const LightSurvey& survey, const PlanOptions
 
 // Metres of air at the lamp's end whose light is half a display step.
 double visibleSlab(const Light& light, const PlanOptions& options) {
-    const double perMetre = light.density * greyOf(light) / (4.0 * 3.14159265358979) *
-                            maxAttenuation(light) * phasePeak(light);
+    const double perMetre =
+        light.density * greyOf(light) / (4.0 * 3.14159265358979) * maxAttenuation(light) * phasePeak(light);
     return perMetre > 0.0 ? 0.5 * options.displayStep / perMetre : 0.0;
 }
 
@@ -68,9 +68,8 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     planned.terms = needed.terms();
     planned.firstOccluder = whole ? light.nearPlane : needed.shadow.firstOccluder;
 
-    candidate.shadowBias =
-        std::max(options.shadowBias, mapErrorAt(seen.walls, light, seen.pose,
-                                                seen.volume.axisLit, options.shadowMapSize));
+    candidate.shadowBias = std::max(
+        options.shadowBias, mapErrorAt(seen.walls, light, seen.pose, seen.volume.axisLit, options.shadowMapSize));
     candidate.slabs = slabsOf(light, context.view, options, seen.pose, seen.volume, detailOf(light, survey, options),
                               visibleSlab(light, options));
     planned.brightest = std::numeric_limits<double>::infinity();

@@ -6,12 +6,12 @@
 
 #include <vector>
 
-#include "visibility/light_volume.h"
 #include "needs/needed_terms.h"
 #include "plan_context.h"
-#include "visibility/seen_air.h"
 #include "slabs/slabs.h"
 #include "slice_constants.h"
+#include "visibility/light_volume.h"
+#include "visibility/seen_air.h"
 #include "visibility/walls.h"
 
 namespace tyndall {

@@ -3,14 +3,14 @@
 #include <tyndall/air.h>
 #include <tyndall/article.h>
 
-#include "shape/slide.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <limits>
+
+#include "shape/slide.h"
 
 namespace tyndall {
 namespace {
@@ -104,8 +104,9 @@ SliceConstants sliceConstants(const Light& light, const View& view, const PlanOp
     if (options.geometry == Geometry::StretchedQuads) stretchOver(constants, volume, slabs);
 
     constants.cookieScale = glm::dvec4(cookieScale(shapeOf(light)), 0.0, 0.0);
-    constants.attenuation =
-        options.look == Look::Physical ? glm::dvec4(light.intensity, light.ambient, 1.0, 0.0) : glm::dvec4(article::intensity, article::ambient, article::inchesPerMetre, 0.0);
+    constants.attenuation = options.look == Look::Physical
+                                ? glm::dvec4(light.intensity, light.ambient, 1.0, 0.0)
+                                : glm::dvec4(article::intensity, article::ambient, article::inchesPerMetre, 0.0);
     constants.dust = dustConstants(light, options, terms, standIns[Term::Noise].x);
     const Noise noise = light.noise.value_or(Noise{});
     constants.noise1 = noiseMap(noise.scale, noise.scroll1, options.time);

@@ -3,8 +3,9 @@
 
 #include <tyndall/plan.h>
 
-#include "visibility/light_volume.h"
+#include "needs/stand_ins.h"
 #include "slabs/slabs.h"
+#include "visibility/light_volume.h"
 #include "visibility/view_pose.h"
 
 namespace tyndall {
@@ -12,11 +13,6 @@ namespace tyndall {
 /// Largest component of the light's colour: the unit of a routed target's grey value, and the divisor of its group's
 /// tint, so that the strongest channel uses the whole range of the target.
 double greyOf(const Light& light);
-
-/// The factor that replaces each term: 1 for terms that are drawn.
-struct StandIns : PerTerm<glm::dvec3> {
-    StandIns() { values.fill(glm::dvec3(1.0)); }
-};
 
 SliceConstants sliceConstants(const Light& light, const View& view, const PlanOptions& options, const LightPose& pose,
                               const LightVolume& volume, const Slabs& slabs, TermSet terms, double shadowBias,

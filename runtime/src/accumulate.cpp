@@ -1,8 +1,8 @@
 // Adds the slices of a group's lights up in the accumulation target.
-#include "effect_contract.h"
-
 #include <tyndall/barriers.h>
 #include <tyndall/rendering.h>
+
+#include "effect_contract.h"
 #include "renderer_pipelines.h"
 
 namespace tyndall {

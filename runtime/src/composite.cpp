@@ -1,8 +1,8 @@
 // Adds an accumulated group to the picture.
-#include "composite_data.h"
-
 #include <tyndall/barriers.h>
 #include <tyndall/rendering.h>
+
+#include "composite_data.h"
 #include "effect_contract.h"
 #include "renderer_pipelines.h"
 

@@ -14,6 +14,14 @@
 namespace tyndall {
 namespace {
 
+/// All techniques of a built-in effect.
+template <std::size_t Count>
+constexpr std::array<std::string_view, Count> techniqueNames(const permgen::Effect& effect) {
+    std::array<std::string_view, Count> names;
+    for (std::size_t i = 0; i < Count; ++i) names[i] = effect.techniques[i].name;
+    return names;
+}
+
 constexpr BlockMember sliceMembers[] = {
     {"gClipFromView", offsetof(SliceConstants, clipFromView), 64},
     {"gLightFromView", offsetof(SliceConstants, lightFromView), 64},
@@ -32,12 +40,7 @@ constexpr BlockMember sliceMembers[] = {
     {"gEye", offsetof(SliceConstants, eye), 16},
 };
 constexpr std::string_view sliceSamplers[] = {"CookieSampler", "ScrollingNoiseSampler", "ShadowMapSampler"};
-// All techniques of the built-in effect: one for each set of terms.
-constexpr auto sliceTechniques = [] {
-    std::array<std::string_view, effects::slices::technique_count> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = effects::slices::effect.techniques[i].name;
-    return names;
-}();
+constexpr auto sliceTechniques = techniqueNames<effects::slices::technique_count>(effects::slices::effect);
 constexpr VertexElement sliceElements[] = {
     {"POSITION0", offsetof(SliceVertex, position), VK_FORMAT_R32G32B32_SFLOAT},
     {"TEXCOORD0", offsetof(SliceVertex, thickness), VK_FORMAT_R32_SFLOAT},
@@ -52,8 +55,7 @@ constexpr BlockMember compositeMembers[] = {
     {"gDepth", offsetof(CompositeConstants, depth), 16},
 };
 constexpr std::string_view compositeSamplers[] = {"AccumulationSampler", "SceneDepthSampler"};
-constexpr std::string_view compositeTechniques[] = {"plain_noblur_technique", "plain_blur_technique",
-                                                    "routed_noblur_technique", "routed_blur_technique"};
+constexpr auto compositeTechniques = techniqueNames<effects::composite::technique_count>(effects::composite::effect);
 constexpr VertexElement screenElements[] = {{"POSITION0", 0, VK_FORMAT_R32G32_SFLOAT}};
 constexpr EffectContract composite{"composite.fx",
                                    compositeMembers,
@@ -64,7 +66,7 @@ constexpr EffectContract composite{"composite.fx",
                                    true};
 
 constexpr BlockMember shadowMapMembers[] = {{"gClipFromMesh", 0, sizeof(glm::mat4)}};
-constexpr std::string_view shadowMapTechniques[] = {"shadow_map_technique"};
+constexpr auto shadowMapTechniques = techniqueNames<effects::shadow_map::technique_count>(effects::shadow_map::effect);
 constexpr VertexElement occluderElements[] = {{"POSITION0", 0, VK_FORMAT_R32G32B32_SFLOAT}};
 constexpr EffectContract shadowMap{
     "shadow_map.fx", shadowMapMembers, sizeof(glm::mat4), {}, shadowMapTechniques, occluderElements, false};

@@ -2,7 +2,6 @@
 
 #include <tyndall/barriers.h>
 
-
 namespace tyndall {
 namespace {
 

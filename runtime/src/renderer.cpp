@@ -1,5 +1,5 @@
-#include <tyndall/renderer.h>
 #include <tyndall/barriers.h>
+#include <tyndall/renderer.h>
 
 #include <algorithm>
 

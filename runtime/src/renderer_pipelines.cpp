@@ -1,13 +1,15 @@
 #include "renderer_pipelines.h"
 
 #include "effect_contract.h"
+#include "effects.h"
 
 namespace tyndall {
 namespace {
 
+/// By name: the caller may have given a build of his own of the effect.
 std::string_view compositeTechnique(bool routed, bool blur) {
-    if (routed) return blur ? "routed_blur_technique" : "routed_noblur_technique";
-    return blur ? "plain_blur_technique" : "plain_noblur_technique";
+    namespace composite = effects::composite;
+    return composite::technique(*composite::find_technique({.bRouted = routed, .bBlur = blur})).name;
 }
 
 }  // namespace

@@ -62,8 +62,12 @@ LightRay lightRay(const Light& light, const View& view, const ViewRay& ray) {
     return out;
 }
 
+glm::dvec2 tanHalfFovOf(const Light& light) {
+    return glm::tan(0.5 * light.fov);
+}
+
 Span clipToLight(const Light& light, const LightRay& ray, Span span) {
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
+    const glm::dvec2 slope = tanHalfFovOf(light);
     span = clipped(span, ray, {0.0, 0.0, -1.0}, -light.nearPlane);
     span = clipped(span, ray, {0.0, 0.0, 1.0}, light.farPlane);
     for (const double side : {1.0, -1.0}) {
@@ -80,7 +84,7 @@ Span clipToLight(const Light& light, const LightRay& ray, Span span) {
 }
 
 Projected project(const Light& light, const LightRay& ray) {
-    const glm::dvec2 scale = 0.5 / glm::tan(0.5 * light.fov);
+    const glm::dvec2 scale = 0.5 / tanHalfFovOf(light);
     const double c0 = -ray.foot.z, c1 = -ray.direction.z;
     return {{scale.x * ray.foot.x + 0.5 * c0, scale.x * ray.direction.x + 0.5 * c1, c0, c1},
             {-scale.y * ray.foot.y + 0.5 * c0, -scale.y * ray.direction.y + 0.5 * c1, c0, c1}};

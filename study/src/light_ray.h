@@ -57,6 +57,9 @@ struct ProjectedCoordinate {
     double crossing(double k) const { return (n0 - k * c0) / (k * c1 - n1); }
 };
 
+/// Tangents of half the field of view. The reference has its own, and shares no code with the plan.
+glm::dvec2 tanHalfFovOf(const Light& light);
+
 /// Texture coordinates of a texture that the light projects: u from 0 at light-space -X to 1, v from 0 at +Y.
 struct Projected {
     ProjectedCoordinate u, v;

@@ -37,10 +37,10 @@ Result<void> checkAlike(const Image& image, const Image& reference) {
     const auto size = [](const Image& of) { return std::to_string(of.width) + "x" + std::to_string(of.height); };
     if (image.width != reference.width || image.height != reference.height)
         return broken("the image is " + size(image) + " pixels and the reference " + size(reference) +
-                              "; make them in one size");
+                      "; make them in one size");
     if (image.channels != reference.channels)
         return broken("the image has " + std::to_string(image.channels) + " channels and the reference " +
-                              std::to_string(reference.channels) + "; write both with the same ones");
+                      std::to_string(reference.channels) + "; write both with the same ones");
     return {};
 }
 
@@ -77,8 +77,7 @@ NonFinite countNonFinite(const Image& image) {
     return found;
 }
 
-Result<Metrics> compare(const Image& image, const Image& reference,
-                                           const MetricOptions& options) {
+Result<Metrics> compare(const Image& image, const Image& reference, const MetricOptions& options) {
     if (auto checked = checkAlike(image, reference); !checked) return tl::unexpected(checked.error());
     Metrics metrics;
     metrics.width = image.width;

@@ -119,8 +119,7 @@ struct PointTest {
 
 }  // namespace
 
-Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int samples,
-                                               std::uint64_t seed) {
+Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int samples, std::uint64_t seed) {
     if (auto checked = checkScene(scene, {}); !checked) return tl::unexpected(checked.error());
     if (samples < replicates)
         return tl::unexpected(Error{ErrorCode::InvalidArgument,

@@ -103,7 +103,7 @@ std::array<HalfSpace, 5> wedge(const RayPlane& plane, Span span, double farthest
 TriangleTree occluders(const Light& light, const std::vector<Triangle>& triangles) {
     const glm::dmat3 lightFromWorld = glm::transpose(glm::dmat3(light.worldFromLight));
     const glm::dvec3 lamp(light.worldFromLight[3]);
-    const glm::dvec2 slope = glm::tan(0.5 * light.fov);
+    const glm::dvec2 slope = tanHalfFovOf(light);
     const HalfSpace faces[] = {{{0.0, 0.0, -1.0}, -light.nearPlane}, {{0.0, 0.0, 1.0}, light.farPlane},
                                {{1.0, 0.0, -slope.x}, 0.0},          {{-1.0, 0.0, -slope.x}, 0.0},
                                {{0.0, 1.0, -slope.y}, 0.0},          {{0.0, -1.0, -slope.y}, 0.0}};

@@ -51,7 +51,7 @@ ShadowMap shadowMap(const Light& light, Image stored, double bias) {
     for (const float texel : stored.values) {
         const double depth = static_cast<double>(texel);
         map.maxLitAxis.push_back(depth < 1.0 ? n * f / (n + depth * (f - n)) + bias
-                                        : -std::numeric_limits<double>::infinity());
+                                             : -std::numeric_limits<double>::infinity());
     }
     map.stored = std::move(stored);
     return map;

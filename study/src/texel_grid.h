@@ -22,8 +22,7 @@ TexelPath texelPath(const Image& texture, const Projected& uv);
 
 /// Adds every position within `span` where the path crosses a line of texel centres, in no order. A clamped texture is
 /// constant beyond its first and last centre, so lines there are left out.
-void addCrossings(std::vector<double>& places, const TexelPath& path, const Image& texture, Address address,
-                  Span span);
+void addCrossings(std::vector<double>& places, const TexelPath& path, const Image& texture, Address address, Span span);
 
 /// One cell of a texture: four texels and the path's place in it. Bilinear as Vulkan defines it ("Texel
 /// Filtering"), with weights in full precision.

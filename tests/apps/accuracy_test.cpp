@@ -1,5 +1,5 @@
-// The sample scene, as rendered with every technique, against the hardware reference: nothing but the number of
-// slices stands between them.
+// The sample scene, rendered with every technique, against the hardware reference: they differ only by the number of
+// slices.
 #include <gtest/gtest.h>
 #include <headless/device.h>
 #include <study/metrics.h>
@@ -55,8 +55,8 @@ INSTANTIATE_TEST_SUITE_P(SampleScene, AccuracyTest, testing::ValuesIn(allTermSet
                          [](const auto& test) { return std::string(techniqueName(test.param)); });
 
 // Slices at the middles of slabs miss each edge along a ray by up to half a slab, so the error falls as one over
-// their number (tests/permutations/reference_test.cpp has the argument), down to what rasterizing on a grid of
-// 1/256 pixel and adding in floats leave.
+// their number (tests/permutations/reference_test.cpp has the argument), down to the errors of rasterizing on a
+// grid of 1/256 pixel and of adding floats.
 TEST_P(AccuracyTest, FallsAsOneOverTheNumberOfSlices) {
     auto device = headless::Device::create({.validation = true});
     ASSERT_TRUE(device) << device.error().message;

@@ -1,4 +1,4 @@
-// The program's parallel loop: every job once, and whatever a job throws comes back.
+// The program's parallel loop: every job runs once, and a job's exception is rethrown.
 #include <gtest/gtest.h>
 #include <tyndall/frame/all_cores.h>
 

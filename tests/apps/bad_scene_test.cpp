@@ -1,4 +1,4 @@
-// Every way in which a scene can be broken: one sentence that names the place, no crash, no hang.
+// Broken scenes: each gives one sentence that names the place, no crash, no hang.
 #include <gtest/gtest.h>
 #include <tyndall/scene/load_scene.h>
 
@@ -138,7 +138,7 @@ const std::vector<Breakage>& breakages() {
          [](Glb& g) {
              g.json["nodes"][1]["rotation"] = {0, 0, 0, 1, 0};
          },
-         "nodes[1].rotation must be 4 numbers, and is 5"},
+         "nodes[1].rotation must be 4 numbers, but is 5"},
         {"RotationNothing",
          [](Glb& g) {
              g.json["nodes"][1]["rotation"] = {0, 0, 0, 0};
@@ -148,7 +148,7 @@ const std::vector<Breakage>& breakages() {
          [](Glb& g) {
              g.json["nodes"][2]["scale"] = {"1", "1", "1"};
          },
-         "nodes[2].scale must be 3 numbers, and is something else"},
+         "nodes[2].scale must be 3 numbers, but is something else"},
         {"MatrixShort",
          [](Glb& g) {
              g.json["nodes"][0]["matrix"] = {1, 0, 0, 0};
@@ -210,7 +210,7 @@ const std::vector<Breakage>& breakages() {
         {"AccessorOffset", [](Glb& g) { g.json["accessors"][0]["byteOffset"] = 4; }, "accessors[0]"},
         {"AccessorOffsetNegative", [](Glb& g) { g.json["accessors"][0]["byteOffset"] = -4; }, "whole number"},
         {"AccessorType", [](Glb& g) { g.json["accessors"][0]["type"] = "VEC9"; }, "unknown type"},
-        {"AccessorComponents", [](Glb& g) { g.json["accessors"][0]["type"] = "VEC2"; }, "2 components where 3"},
+        {"AccessorComponents", [](Glb& g) { g.json["accessors"][0]["type"] = "VEC2"; }, "2 components instead of 3"},
         {"AccessorSparse",
          [](Glb& g) {
              g.json["accessors"][0]["sparse"] = {{"count", 1}};
@@ -326,7 +326,8 @@ TEST_P(BadScene, SaysWhatIsWrong) {
     const auto scene = app::loadScene(writeScene(glb), 0.0);
     ASSERT_FALSE(scene) << "was read without an error";
     EXPECT_NE(scene.error().message.find(breakage.says), std::string::npos) << scene.error().message;
-    EXPECT_NE(scene.error().message.find("scene.glb"), std::string::npos) << "names the file: " << scene.error().message;
+    EXPECT_NE(scene.error().message.find("scene.glb"), std::string::npos)
+        << "names the file: " << scene.error().message;
     EXPECT_EQ(scene.error().message.find('\n'), std::string::npos) << scene.error().message;
 }
 
@@ -352,7 +353,7 @@ TEST(BadSceneFile, TruncatedJson) {
     }
 }
 
-/// Each byte in turn becomes something else: whatever comes out of it, it is an answer.
+/// Each byte in turn is changed: the result may be a scene or an error.
 TEST(BadSceneFile, DamagedAnywhere) {
     const std::vector<unsigned char> whole = wallScene().bytes();
     for (std::size_t at = 0; at < whole.size(); at += 5)

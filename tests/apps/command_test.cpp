@@ -1,4 +1,4 @@
-// The command line: what it accepts, what it says, and with which status it ends.
+// The command line: accepted options, messages and exit status.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -43,16 +43,16 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(WrongLine{"SizeZero", {"--size", "0x0"}, "each side must be from 1 to 16384"},
                     WrongLine{"SizeHuge", {"--size", "100000x100000"}, "each side must be from 1 to 16384"},
                     WrongLine{"SizeOverflowing", {"--size", "99999999999999999999x1"}, "out of bounds"},
-                    WrongLine{"SizeJunk", {"--size", "big"}, "is no size"},
-                    WrongLine{"SizeHalf", {"--size", "640x"}, "is no size"},
-                    WrongLine{"SizeNegative", {"--size=-4x4"}, "is no size"},
-                    WrongLine{"SizeTrailing", {"--size", "640x360p"}, "is no size"},
+                    WrongLine{"SizeJunk", {"--size", "big"}, "is not a size"},
+                    WrongLine{"SizeHalf", {"--size", "640x"}, "is not a size"},
+                    WrongLine{"SizeNegative", {"--size=-4x4"}, "is not a size"},
+                    WrongLine{"SizeTrailing", {"--size", "640x360p"}, "is not a size"},
                     WrongLine{"PlanesZero", {"--planes", "0"}, "from 1 to 65536"},
                     WrongLine{"PlanesTooMany", {"--planes", "65537"}, "from 1 to 65536"},
                     WrongLine{"PlanesJunk", {"--planes", "many"}, "--planes"},
-                    WrongLine{"MostSlicesZero", {"--most-slices", "0"}, "from 1 to 65536"},
-                    WrongLine{"MostSlicesWithPlanes", {"--most-slices", "9", "--planes", "9"}, "leave --planes out"},
-                    WrongLine{"MostSlicesOfTheArticle", {"--most-slices", "9", "--look", "article"}, "--look article"},
+                    WrongLine{"MaxSlicesZero", {"--max-slices", "0"}, "from 1 to 65536"},
+                    WrongLine{"MaxSlicesWithPlanes", {"--max-slices", "9", "--planes", "9"}, "leave --planes out"},
+                    WrongLine{"MaxSlicesOfTheArticle", {"--max-slices", "9", "--look", "article"}, "--look article"},
                     WrongLine{"PlanesOddWhenRouted", {"--accum", "rgba8-routed", "--planes", "6"}, "multiple of 4"},
                     WrongLine{"ShadowSizeZero", {"--shadow-size", "0"}, "--shadow-size"},
                     WrongLine{"RangeZero", {"--range", "0"}, "--range"},
@@ -106,7 +106,7 @@ TEST(Command, ALinkIsFollowedToTheFileItNames) {
     const std::string target = freshPath("target.png"), link = freshPath("link.png");
     std::filesystem::create_symlink(target, link);
     const std::string scene = writeScene(wallScene());
-    for (const char* size : {"4x3", "6x5"}) {  // where nothing is yet, and over what is there
+    for (const char* size : {"4x3", "6x5"}) {  // a new file, then an existing one
         const ProgramRun run = runTyndall({"render", scene, "-o", link, "--size", size});
         ASSERT_EQ(run.status, 0) << run.errors;
         EXPECT_TRUE(std::filesystem::is_symlink(link));
@@ -120,7 +120,7 @@ TEST(Command, ALinkIsFollowedToTheFileItNames) {
 TEST(Command, ALinkThatLeadsNowhereIsRefused) {
     const std::string link = freshPath("link.png");
     std::filesystem::create_symlink(link, link);
-    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", link}), failed, "round in a circle");
+    expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", link}), failed, "symbolic link in a cycle");
 }
 
 TEST(Command, HelpIsNoError) {
@@ -173,7 +173,7 @@ TEST(Command, StatisticsDoNotTakeAPipesPlace) {
     const std::string pipe = freshPath("pipe.json");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     expectRefusal(runTyndall({"render", writeScene(wallScene()), "-o", freshPath("picture.png"), "--stats", pipe}),
-                  failed, "no plain file");
+                  failed, "not a plain file");
     EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
@@ -209,7 +209,7 @@ TEST(Command, ExplainNeedsNoDevice) {
                                       {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"});
     EXPECT_EQ(run.status, 0) << run.errors;
     EXPECT_NE(run.output.find("light \"Lamp\": drawn"), std::string::npos) << run.output;
-    // The wall holds all of the light up: there is nothing behind it that could lie in shadow.
+    // The wall blocks all of the light, so nothing behind it can be in shadow.
     EXPECT_NE(run.output.find("clip_nonoise_noshadow_cookie_technique"), std::string::npos) << run.output;
     EXPECT_NE(run.output.find("Ends at a wall"), std::string::npos) << run.output;
     EXPECT_NE(run.output.find("without the scene's depth"), std::string::npos) << run.output;
@@ -239,12 +239,12 @@ TEST(Command, SlicesAreAsManyAsNeededUpToABound) {
         const ProgramRun run = runTyndall(words);
         return nlohmann::json::parse(run.output)["lights"][0]["slices"].get<int>();
     };
-    const int needed = slices({"--most-slices", "65536"});
+    const int needed = slices({"--max-slices", "65536"});
     EXPECT_GT(needed, 40);
     EXPECT_LE(slices({}), std::min(needed, 256));
     EXPECT_GE(slices({}), std::min(needed, 250));
-    EXPECT_LE(slices({"--most-slices", "20"}), 20);
-    EXPECT_GE(slices({"--most-slices", "20"}), 18);
+    EXPECT_LE(slices({"--max-slices", "20"}), 20);
+    EXPECT_GE(slices({"--max-slices", "20"}), 18);
 }
 
 TEST(Command, NothingInTheConeMeansNoShadowMap) {

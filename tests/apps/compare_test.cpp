@@ -1,4 +1,4 @@
-// `tyndall compare`: files in, figures and a verdict out.
+// `tyndall compare`: figures and verdict from two files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,7 +74,7 @@ TEST(Compare, TextNamesEveryFigure) {
 
 struct Limit {
     const char* option;
-    const char* fails;  ///< a value that the comparison below is above
+    const char* fails;  ///< a limit that the comparison below exceeds
     const char* holds;
     const char* says;
 };
@@ -90,7 +90,7 @@ TEST_P(Limits, EndWithOneAndNameFigureAndPixel) {
     EXPECT_EQ(good.status, 0) << good.errors;
     const ProgramRun bad = runTyndall({"compare", path, reference, GetParam().option, GetParam().fails});
     EXPECT_EQ(bad.status, 1);
-    EXPECT_EQ(bad.output, good.output) << "figures are printed whatever the verdict";
+    EXPECT_EQ(bad.output, good.output) << "figures are printed with every verdict";
     EXPECT_NE(bad.errors.find(GetParam().says), std::string::npos) << bad.errors;
     EXPECT_NE(bad.errors.find(GetParam().option), std::string::npos) << bad.errors;
     EXPECT_EQ(std::count(bad.errors.begin(), bad.errors.end(), '\n'), 1) << bad.errors;
@@ -127,7 +127,7 @@ TEST(Compare, WhatIsNoNumberFailsWithoutBeingAsked) {
     study::Image broken = picture();
     broken.values[3] = std::numeric_limits<float>::quiet_NaN();
     const std::string path = writeExr(broken);
-    EXPECT_EQ(runTyndall({"compare", path, path}).status, 1) << "the same NaN in both is still none";
+    EXPECT_EQ(runTyndall({"compare", path, path}).status, 1) << "NaN fails even if both have it";
 }
 
 TEST(Compare, WithoutANumberInBothThereAreNoFigures) {
@@ -164,7 +164,7 @@ TEST(Compare, HalfTiledAndSmallerLevelsReadAsTheSamePicture) {
 }
 
 TEST(Compare, APngIsDecodedFromSrgbAndItsAlphaLeftAlone) {
-    // sRGB 188 is 0.5029 linear (IEC 61966-2-1); half transparent alpha is 128/255 whatever colour it has.
+    // sRGB 188 is 0.5029 linear (IEC 61966-2-1); half transparent alpha is 128/255 with every colour.
     const std::string png = writeBytes(encodePng(1, 1, {188, 188, 0, 128}), "a.png");
     const double half = std::pow((188.0 / 255.0 + 0.055) / 1.055, 2.4);
     const auto figures = report(png, writeExr({1, 1, 4, {0.0f, 0.0f, 0.0f, 0.0f}}));
@@ -227,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(Layouts, Refused,
                          testing::Values(Refusal{"Parts", {.parts = 2}, "several parts"},
                                          Refusal{"Deep", {.deep = true}, "deep samples"},
                                          Refusal{"Cropped", {.cropped = true}, "data window"},
-                                         Refusal{"WholeNumbers", {.type = OIIO::TypeDesc::UINT}, "whole numbers"}),
+                                         Refusal{"WholeNumbers", {.type = OIIO::TypeDesc::UINT}, "holds integers"}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Compare, BrokenFilesAreRefusedInOneSentence) {

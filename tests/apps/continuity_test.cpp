@@ -1,7 +1,7 @@
-// Nothing steps while eye or lamp move: over 200 frames, pictures change as the integral itself does.
+// No steps while eye or lamp move: over 200 frames, pictures change as the integral does.
 //
-// Few pixels, as the integral costs time, but small ones: where a picture is said to have N rows, its own few are cut
-// out of the middle of such a picture.
+// The pictures have few pixels, because the integral costs time, but small ones: they are cut from the middle of a
+// picture with `rows` rows.
 #include <gtest/gtest.h>
 #include <headless/device.h>
 #include <tyndall/frame/plan_scene.h>
@@ -26,7 +26,7 @@ constexpr double displayStep = 1.0 / 512.0;  // of the display's range
 
 struct Motion {
     std::string name;
-    int mostSlices;            // a light
+    int maxSlices;             // a light
     std::uint32_t shadowSize;  // texels
     Size size;
     double rows;      // of the picture that `size` is cut from
@@ -64,8 +64,8 @@ double largest(const glm::dvec3& v) {
 struct Changes {
     double drawn = 0.0, integral = 0.0;  ///< the largest
     double excessAtPixel = 0.0;          ///< the largest by which a pixel changed more than its integral
-    double meanError = 0.0;              ///< of the frame with the largest: mean of what is off in the pixels' changes
-    int fewestSlices = 1 << 20, mostSlices = 0;
+    double meanError = 0.0;              ///< largest mean of the errors of the pixels' changes in one frame
+    int minSlices = 1 << 20, maxSlices = 0;
 };
 
 class Followed {
@@ -80,13 +80,13 @@ public:
         shafts_.plan.accumulation = Accumulation::Rgba32f;
         shafts_.exposure = motion.exposure;
         shafts_.plan.shadowMapSize = motion.shadowSize;
-        shafts_.plan.slices = motion.mostSlices;
+        shafts_.plan.slices = motion.maxSlices;
         scene_.emplace(must(prepareScene(view_)));
     }
 
     PlannedScene& scene() { return *scene_; }
 
-    /// Looks from there with a lens of 40 degrees, of which the picture is the middle.
+    /// Looks from there with a field of view of 40 degrees; the picture is its middle.
     void look(const glm::dmat4& worldFromEye) {
         const double tangent = std::tan(glm::radians(20.0)) * motion_.size.height / motion_.rows;
         scene_->view = perspectiveView(worldFromEye, 2.0 * std::atan(tangent),
@@ -101,8 +101,8 @@ public:
             const Frame drawn = must(renderer.draw(*scene_, view_, shafts_, false));
             const Shown now = shownOf(pixelsOf(drawn.picture), motion_.exposure), trueNow = truth();
             const int slices = static_cast<int>(drawn.statistics.shafts.slicesDrawn);
-            changes.fewestSlices = std::min(changes.fewestSlices, slices);
-            changes.mostSlices = std::max(changes.mostSlices, slices);
+            changes.minSlices = std::min(changes.minSlices, slices);
+            changes.maxSlices = std::max(changes.maxSlices, slices);
             double off = 0.0;
             for (std::size_t i = 0; i < now.size() && frame > 0; ++i) {
                 const double changed = largest(now[i] - before[i]), ought = largest(trueNow[i] - trueBefore[i]);
@@ -155,12 +155,12 @@ void record(const Changes& changes) {
     testing::Test::RecordProperty("largest_excess_at_a_pixel", steps(changes.excessAtPixel));
     testing::Test::RecordProperty("largest_mean_error_of_change", steps(changes.meanError));
     testing::Test::RecordProperty("slices",
-                                  std::to_string(changes.fewestSlices) + " to " + std::to_string(changes.mostSlices));
+                                  std::to_string(changes.minSlices) + " to " + std::to_string(changes.maxSlices));
     EXPECT_GT(changes.integral, 4.0 * displayStep) << "else nothing moved";
 }
 
-/// A lamp that shines past the eye to the right, downwards and away, at the wall 5 m before it. No edge of a map is in
-/// it, where a slice is lit or is not, so that each pixel by itself must change as its integral does.
+/// A lamp that shines past the eye to the right, downwards and away, at the wall 5 m in front of it. It has no edges of
+/// cookie or shadow, where slices switch on and off, so each pixel must change as its integral does.
 class SoftBeamInMotion : public testing::TestWithParam<Motion> {};
 
 TEST_P(SoftBeamInMotion, NoPixelStepsMoreThanItsIntegral) {
@@ -175,7 +175,7 @@ TEST_P(SoftBeamInMotion, NoPixelStepsMoreThanItsIntegral) {
     const Changes changes = followed.follow();
     EXPECT_LE(changes.excessAtPixel, displayStep);
     EXPECT_LE(changes.meanError, displayStep / 4.0);
-    EXPECT_LT(changes.fewestSlices, changes.mostSlices) << "the number of slices changes on the way";
+    EXPECT_LT(changes.minSlices, changes.maxSlices) << "the number of slices changes on the way";
     record(changes);
 }
 
@@ -184,8 +184,8 @@ INSTANTIATE_TEST_SUITE_P(Moving, SoftBeamInMotion,
                                          Motion{"Lamp", 80, 256, {16, 9}, 60.0, 0.0, false, 0, {0.005, 0.0, 0.0}}),
                          nameOf);
 
-/// Edges of cookies and shadows pass over pixels, where the integral itself leaps; the drawn leap may come a frame
-/// sooner or later, so no pixel is held against its integral there but the largest against the largest.
+/// When edges of cookies and shadows pass over a pixel, the integral jumps; the drawn jump may come a frame sooner or
+/// later. So this compares the largest changes of all pixels, not each pixel with its integral.
 class SampleSceneInMotion : public testing::TestWithParam<Motion> {};
 
 TEST_P(SampleSceneInMotion, TheLargestChangeIsThatOfTheIntegral) {

@@ -1,4 +1,4 @@
-// What a display shows.
+// Displayed values.
 #pragma once
 
 #include <kit/image/srgb.h>
@@ -6,7 +6,7 @@
 
 namespace tyndall::test {
 
-/// Of a channel's radiance, in the display's range.
+/// The displayed value of a channel's radiance, in the display's range.
 inline double displayed(double radiance, double exposureStops) {
     return srgbFromLinear(static_cast<float>(toneMap(radiance, exposureStops)));
 }

@@ -1,4 +1,4 @@
-// Small pictures made in code: what compare has to read, and what it has to refuse.
+// Small pictures made in code: some that compare must read, some that it must refuse.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -17,11 +17,10 @@ struct ExrLayout {
     bool deep = false;                       ///< one sample a pixel
     bool cropped = false;                    ///< the display window is a pixel larger on the right
     bool mipLevels = false;                  ///< tiled, with a second level of half the size that is black
-    std::vector<std::string> channels = {};  ///< names; empty: Y where there is one, else R, G, B, A
+    std::vector<std::string> channels = {};  ///< names; empty: Y for one channel, else R, G, B, A
 };
 
 /// A new file with this picture.
-std::string writeExr(const study::Image& image, const ExrLayout& layout = {},
-                     const std::string& name = "picture.exr");
+std::string writeExr(const study::Image& image, const ExrLayout& layout = {}, const std::string& name = "picture.exr");
 
 }  // namespace tyndall::test

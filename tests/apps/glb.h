@@ -1,4 +1,4 @@
-// Small glTF files made in code, so that every test says what its scene holds.
+// Small glTF files made in code, so that every test shows its scene.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace tyndall::test {
 
-/// A .glb under construction: the JSON is open to whatever a test wants to do to it.
+/// A .glb under construction; tests may change the JSON freely.
 struct Glb {
     nlohmann::json json;
     std::vector<unsigned char> binary;
@@ -32,10 +32,10 @@ struct Glb {
 /// 100 cd, both at the origin and looking along -Z; node 0 is the wall, 1 the camera "Eye", 2 the lamp "Lamp".
 Glb wallScene();
 
-/// A new file in the test's own folder, with these bytes; the folder goes when the program ends.
+/// A new file in the test's own folder, with these bytes; the folder is removed when the program ends.
 std::string writeScene(const Glb& glb, const std::string& name = "scene.glb");
 std::string writeBytes(std::span<const unsigned char> bytes, const std::string& name);
-/// A path in the test's own folder where nothing is yet.
+/// An unused path in the test's own folder.
 std::string freshPath(const std::string& name);
 
 /// An RGBA image as PNG, uncompressed.

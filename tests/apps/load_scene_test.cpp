@@ -1,4 +1,4 @@
-// What a sound glTF file becomes.
+// Scenes loaded from valid glTF files.
 #include <gtest/gtest.h>
 #include <tyndall/scene/load_scene.h>
 
@@ -26,7 +26,7 @@ TEST(LoadScene, ReadsWallCameraAndLamp) {
     ASSERT_EQ(scene.cameras.size(), 1u);
     EXPECT_EQ(scene.cameras[0].name, "Eye");
     EXPECT_DOUBLE_EQ(scene.cameras[0].verticalFov, 0.7);
-    EXPECT_TRUE(std::isinf(scene.cameras[0].farPlane)) << "glTF without zfar reaches to infinity";
+    EXPECT_TRUE(std::isinf(scene.cameras[0].farPlane)) << "without zfar, the far plane is at infinity";
     ASSERT_EQ(scene.lights.size(), 1u);
     EXPECT_TRUE(scene.warnings.empty());
 }
@@ -130,7 +130,7 @@ TEST(LoadScene, ConesThatDifferInAngleOrCookieAreBakedEachForItself) {
     const app::Scene scene = load(glb);
     ASSERT_EQ(scene.lights.size(), 9u);
     EXPECT_EQ(scene.images.size(), 5u);
-    EXPECT_EQ(scene.slides.size(), 2u) << "what two cones each were baked into";
+    EXPECT_EQ(scene.slides.size(), 2u) << "two cones were baked into each";
     for (std::size_t lamp = 1; lamp < 9; lamp += 2) EXPECT_EQ(scene.lights[lamp].cookie, scene.lights[lamp + 1].cookie);
     const auto centre = [&](std::size_t lamp) {
         const Image& cookie = scene.images.at(*scene.lights[lamp].cookie);
@@ -217,7 +217,7 @@ TEST(LoadScene, UnknownKeysAreNamedInAWarning) {
     const app::Scene scene = load(glb);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_NE(scene.warnings[0].find("\"densty\""), std::string::npos) << scene.warnings[0];
-    EXPECT_NE(scene.warnings[0].find("density"), std::string::npos) << "says what there is: " << scene.warnings[0];
+    EXPECT_NE(scene.warnings[0].find("density"), std::string::npos) << "lists the known keys: " << scene.warnings[0];
 }
 
 TEST(LoadScene, PointAndDirectionalLightsAreReportedWithTheReason) {

@@ -1,4 +1,4 @@
-// For what a test cannot go on without.
+// Unwraps results that a test needs.
 #pragma once
 
 #include <kit/fail.h>
@@ -8,11 +8,11 @@
 
 namespace tyndall::test {
 
-/// Errors: std::runtime_error with what the outcome says.
+/// Throws std::runtime_error with the error's message.
 template <class T>
-T must(Result<T> outcome) {
-    if (!outcome) throw std::runtime_error(outcome.error().message);
-    return std::move(*outcome);
+T must(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().message);
+    return std::move(*result);
 }
 
 }  // namespace tyndall::test

@@ -1,4 +1,4 @@
-// What `render` uploads and draws into: nothing that the picture does not call for, and nothing twice.
+// `render` uploads and makes only what the picture needs, and nothing twice.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -23,8 +23,7 @@ Image filled(int width, int height, glm::vec3 value) {
 
 TEST(Srgb, TurnsRoundForEveryByte) {
     for (int byte = 0; byte < 256; ++byte)
-        EXPECT_EQ(std::lround(255.0f * srgbFromLinear(linearFromSrgb(static_cast<float>(byte) / 255.0f))),
-                  byte);
+        EXPECT_EQ(std::lround(255.0f * srgbFromLinear(linearFromSrgb(static_cast<float>(byte) / 255.0f))), byte);
 }
 
 TEST(Srgb, IsTheStandardCurve) {  // IEC 61966-2-1

@@ -1,4 +1,4 @@
-// `render --pipeline-cache`: kept between runs, and never worth more than a note.
+// `render --pipeline-cache`: the cache is kept between runs, and its problems give only notes.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <tyndall/pipeline_cache.h>
@@ -25,7 +25,7 @@ void write(const std::string& path, const Bytes& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// One run of a small scene: what it said of the cache, and what it drew.
+/// One run of a small scene: its notes about the cache, and its picture.
 struct Drawing {
     int status;
     std::string notes;
@@ -106,10 +106,10 @@ TEST_P(DamagedPipelineCache, IsNotedAndMadeAnew) {
     EXPECT_TRUE(says(run, GetParam().says)) << run.notes;
     EXPECT_EQ(run.cache["bytesLoaded"], 0);
     EXPECT_EQ(run.picture, whole.picture);
-    EXPECT_EQ(readBytes(file), good) << "written anew";
+    EXPECT_EQ(readBytes(file), good) << "written again";
 }
 
-/// Sealed as a device with these words in its properties would have: the data are lavapipe's all the same.
+/// Sealed for a device with these values in its properties; the data are still lavapipe's.
 void reseal(Bytes& bytes, std::uint32_t vendor, std::uint32_t driver) {
     const auto data = std::as_bytes(std::span(bytes)).subspan(pipelineCacheSeal);
     const auto number = [&](std::size_t at) {
@@ -150,14 +150,14 @@ TEST(PipelineCache, WhatIsNotOursIsLeftAlone) {
     const std::string letter = "not a cache";
     write(file, {letter.begin(), letter.end()});
     const Drawing run = draw({"--pipeline-cache", file});
-    EXPECT_TRUE(says(run, "is no pipeline cache of this program; it is left alone")) << run.notes;
+    EXPECT_TRUE(says(run, "is not a pipeline cache of this program; it is left unchanged")) << run.notes;
     EXPECT_EQ(readBytes(file), Bytes(letter.begin(), letter.end()));
 
     const std::string folder = std::filesystem::path(file).parent_path().string();
-    EXPECT_TRUE(says(draw({"--pipeline-cache", folder}), "is no plain file"));
+    EXPECT_TRUE(says(draw({"--pipeline-cache", folder}), "is not a plain file"));
     const std::string pipe = freshPath("pipe");
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_TRUE(says(draw({"--pipeline-cache", pipe}), "is no plain file"));
+    EXPECT_TRUE(says(draw({"--pipeline-cache", pipe}), "is not a plain file"));
 }
 
 TEST(PipelineCache, AFolderThatCannotBeWrittenIsANote) {

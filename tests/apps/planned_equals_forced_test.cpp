@@ -1,5 +1,5 @@
-// What the plan leaves out cannot be seen: the sample scenes from cameras anywhere, as planned and with nothing left
-// out.
+// Light that the plan leaves out is not visible: the sample scenes from random cameras, as planned and with nothing
+// left out.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <headless/device.h>
@@ -25,8 +25,8 @@ class Cameras {
 public:
     Cameras(const PlannedScene& scene, unsigned seed) : scene_(scene), random_(seed) {}
 
-    /// From anywhere within the scene's bounds: by turns to a place in a beam, and anywhere up to 40 degrees from
-    /// level.
+    /// From a random point within the scene's bounds: alternately towards a point in a beam, and in a random direction
+    /// up to 40 degrees from level.
     View next() {
         const Bounds& bounds = scene_.scene.bounds;
         glm::dvec3 eye;
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// The same with every standard library, whose distributions differ.
+    /// Equal with every standard library; their distributions differ.
     double between(double low, double high) {
         return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
     }
@@ -57,21 +57,20 @@ private:
     int count_ = 0;
 };
 
-/// Of what the display shows, in its range.
+/// A difference of displayed values, in the display's range.
 struct Difference {
     double largest = 0.0;
     std::size_t pixel = 0;
 };
 
 Difference compare(const Image& a, const Image& b, double exposure) {
-    Difference most;
+    Difference max;
     for (std::size_t i = 0; i < pixelCount(a); ++i)
         for (int c = 0; c < 3; ++c) {
-            const double here =
-                std::abs(displayed(rgbOf(a, i)[c], exposure) - displayed(rgbOf(b, i)[c], exposure));
-            if (!(here <= most.largest)) most = {here, i};
+            const double here = std::abs(displayed(rgbOf(a, i)[c], exposure) - displayed(rgbOf(b, i)[c], exposure));
+            if (!(here <= max.largest)) max = {here, i};
         }
-    return most;
+    return max;
 }
 
 class PlannedEqualsForced : public testing::TestWithParam<const char*> {};
@@ -94,7 +93,7 @@ TEST_P(PlannedEqualsForced, FromAnywhere) {
     for (int camera = 0; camera < cameras; ++camera) {
         scene.view = looking.next();
         options.exposure.reset();
-        // The shafts alone are shown at the whole picture's exposure: over black surfaces the least of them counts.
+        // The shafts alone use the whole picture's exposure: over black surfaces even the faintest light shows.
         for (const Layer layer : {Layer::All, Layer::Shafts}) {
             view.layer = layer;
             options.plan.everything = false;
@@ -117,7 +116,7 @@ TEST_P(PlannedEqualsForced, FromAnywhere) {
             options.exposure = exposure;
         }
     }
-    EXPECT_LT(slices, slicesForced) << "else this says nothing";
+    EXPECT_LT(slices, slicesForced) << "else this tests nothing";
     RecordProperty("largest_difference", fmt::format("{:.2g}", worst));
     RecordProperty("slices", std::to_string(slices));
     RecordProperty("slices_forced", std::to_string(slicesForced));

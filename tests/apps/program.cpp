@@ -40,7 +40,7 @@ struct Running {
 };
 
 Running start(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
-    // What the user keeps is neither read nor changed; Mesa keeps its own where it did, or every start takes longer.
+    // The user's cache is not used. Mesa keeps using its own cache, else every start takes longer.
     static const std::string cache = freshPath("cache");
     static const std::string mesa = userCacheFolder();
     Running running{-1, freshPath("out.txt"), freshPath("err.txt")};
@@ -48,8 +48,8 @@ Running start(const std::vector<std::string>& arguments, const std::vector<std::
     if (running.child != 0) return running;
     for (const auto& [path, stream] : {std::pair(&running.out, STDOUT_FILENO), std::pair(&running.err, STDERR_FILENO)})
         dup2(open(path->c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), stream);
-    for (const int each : {SIGINT, SIGTERM}) std::signal(each, SIG_DFL);  // whoever started the tests may ignore them
-    // Pictures of tests come from lavapipe, whatever else the machine has.
+    for (const int each : {SIGINT, SIGTERM}) std::signal(each, SIG_DFL);  // the test's parent may ignore them
+    // Tests always draw on lavapipe.
     for (const char* const driver : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) setenv(driver, lavapipe, 1);
     setenv("MESA_SHADER_CACHE_DIR", mesa.c_str(), 0);
     setenv("XDG_CACHE_HOME", cache.c_str(), 1);

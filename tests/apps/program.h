@@ -1,4 +1,4 @@
-// The real tyndall program, run as anybody would run it.
+// Runs the real tyndall program.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace tyndall::test {
 
 struct ProgramRun {
-    int status = -1;     ///< exit status; 128 + signal where it was killed
+    int status = -1;     ///< exit status; 128 + signal if it was killed
     std::string output;  ///< standard output
     std::string errors;  ///< standard error
 };
@@ -16,10 +16,10 @@ struct ProgramRun {
 /// Killed after two minutes.
 ProgramRun runTyndall(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
 
-/// The same, but sends `signal` as soon as the program catches it instead of dying of it.
+/// The same, but sends `signal` as soon as the program has a handler for it.
 ProgramRun interruptTyndall(const std::vector<std::string>& arguments, int signal);
 
-/// What an OpenEXR or PNG file holds: `channels` floats a pixel, rows top to bottom.
+/// The content of an OpenEXR or PNG file: `channels` floats a pixel, rows top to bottom.
 struct Pixels {
     int width = 0, height = 0, channels = 0;
     std::vector<float> values;

@@ -1,4 +1,4 @@
-// `tyndall reference`: scenes whose shafts have a closed form, in both modes, and what the command leaves behind.
+// `tyndall reference`: scenes whose shafts have a closed form, in both modes, and the command's files.
 #include <gtest/gtest.h>
 #include <tyndall/command/commands.h>
 #include <tyndall/frame/reference_scene.h>
@@ -20,16 +20,15 @@ namespace {
 
 constexpr int side = 16;  // pixels of the square pictures below
 
-/// Every ray leaves the lamp, which stands in the eye, so L = 0.1 / (4 pi) * 100 cd * (1/a - 1/b) over a ray from
-/// a to b metres. Planes a and b metres before the eye are a and b times as far on a slanted ray, by its length
-/// at 1 m.
+/// The lamp is at the eye, so L = 0.1 / (4 pi) * 100 cd * (1/a - 1/b) over a ray from a to b metres. On a slanted ray,
+/// planes a and b metres in front of the eye are a and b times the ray's length at 1 m away.
 double radiance(int x, int y, double nearPlane, double farPlane) {
-    const double reach = std::tan(0.35);
-    const double u = reach * (2.0 * (x + 0.5) / side - 1.0), v = reach * (2.0 * (y + 0.5) / side - 1.0);
+    const double tanHalfFov = std::tan(0.35);
+    const double u = tanHalfFov * (2.0 * (x + 0.5) / side - 1.0), v = tanHalfFov * (2.0 * (y + 0.5) / side - 1.0);
     return 0.1 / (4.0 * std::numbers::pi) * 100.0 * (1.0 / nearPlane - 1.0 / farPlane) / std::sqrt(1.0 + u * u + v * v);
 }
 
-/// The wall's scene with a hard-edged light from 1 to 10 m; the wall stands at 5 m.
+/// The wall's scene with a hard-edged light from 1 to 10 m; the wall is at 5 m.
 Glb openScene(const char* shadow) {
     Glb glb = wallScene();
     glb.json["nodes"][2]["extras"]["tyndall"] = {
@@ -47,7 +46,7 @@ Pixels computed(const Glb& glb, const char* mode, std::vector<std::string> optio
 }
 
 /// Ideal: storage rounds by 2^-24 = 6e-8. Hardware: the depth of a surface at d metres is a float that the
-/// rasterizer interpolates, a few units of 2^-24 off, and lies as far off as 1/d: some 1e-6 of the radiance.
+/// rasterizer interpolates, with an error of a few units of 2^-24, which 1/d passes on: some 1e-6 of the radiance.
 double tolerance(const std::string& mode) {
     return mode == "ideal" ? 1e-7 : 3e-6;
 }
@@ -93,15 +92,15 @@ TEST_P(Modes, WhatIsSeenFromBehindStillThrowsAShadow) {
     Glb glb = openScene("static");
     // Covers the whole cone at 2 m; its back is turned to the lamp and to the eye.
     glb.addNode({{"mesh", 0}, {"translation", {0, 0, -2}}, {"rotation", {0, 1, 0, 0}}});
-    // A ray through the lamp spans no plane with it. The integrator takes it to pass at 1e-8 of its length, and
-    // doubles place a shadow's edge to as little of its distance (study/src/occlusion.cpp).
+    // A ray through the lamp spans no plane with it. The integrator moves it to a distance of 1e-8 of its length;
+    // doubles place a shadow's edge with the same relative error (study/src/occlusion.cpp).
     expectRays(computed(glb, GetParam()), 2.0, tolerance(GetParam()) + 4e-8);
     glb.json["nodes"][2]["extras"]["tyndall"]["shadow"] = "none";
     expectRays(computed(glb, GetParam()), 5.0);
 }
 
 TEST_P(Modes, AnEmptyVolumeThrowsNoShadow) {
-    // The wall lies beyond the light's far plane: the renderer calls for no shadow map, nor does the reference.
+    // The wall is beyond the light's far plane: neither renderer nor reference needs a shadow map.
     Glb glb = openScene("static");
     glb.json["nodes"][2]["extras"]["tyndall"]["far"] = 4.0;
     const std::string stats = freshPath("stats.json");
@@ -137,7 +136,7 @@ TEST_P(Modes, TexturesAreRoundedWhereTheRendererRoundsThem) {
     const float uploaded = glm::unpackHalf1x16(glm::packHalf1x16(grey));
     ASSERT_GT(std::abs(uploaded / grey - 1.0f), 1e-5f) << "the test needs a value that half floats lack";
     const double expected = std::string(GetParam()) == "ideal" ? grey : uploaded;
-    // The sRGB curve in floats is good to a few 1e-7.
+    // The sRGB curve in floats has errors of a few 1e-7.
     EXPECT_NEAR(picture.at(5, 9, 0) / radiance(5, 9, 1.0, 5.0) / expected, 1.0, tolerance(GetParam()) + 1e-6);
 }
 
@@ -153,8 +152,9 @@ TEST_P(Modes, AConeFallsOffAsTheExtensionSays) {
         ASSERT_EQ(picture.width, side);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
-                const double reach = std::tan(0.35);
-                const double u = reach * (2.0 * (x + 0.5) / side - 1.0), v = reach * (2.0 * (y + 0.5) / side - 1.0);
+                const double tanHalfFov = std::tan(0.35);
+                const double u = tanHalfFov * (2.0 * (x + 0.5) / side - 1.0),
+                             v = tanHalfFov * (2.0 * (y + 0.5) / side - 1.0);
                 const double cosine = 1.0 / std::sqrt(1.0 + u * u + v * v);
                 // KHR_lights_punctual, "Inner and Outer Cone Angles".
                 const double share = std::clamp((cosine - std::cos(0.35)) / (std::cos(0.2) - std::cos(0.35)), 0.0, 1.0);
@@ -220,8 +220,8 @@ TEST(Reference, RenderingConvergesToTheHardwareMode) {
     run({"reference", "-o", reference, "--mode", "hardware"});
     double last = 1.0;
     // A hard edge makes midpoints err by 1/N in a pixel that sees it, and the smooth rest by 1/N^2. Over random
-    // places of the edge within a slab the L2 error falls with 1/N: 16 times for 16 times the slices. Half of
-    // that is asked for.
+    // positions of the edge within a slab the L2 error falls with 1/N: 16 times for 16 times the slices. The test
+    // requires half of that.
     for (const char* planes : {"32", "512"}) {
         run({"render", "-o", image, "--layer", "shafts", "--accum", "rgba32f", "--planes", planes});
         const ProgramRun compared = runTyndall({"compare", image, reference, "--json"});
@@ -241,7 +241,7 @@ TEST(Reference, SaysWhatItTookAndReached) {
     ASSERT_EQ(run.status, 0) << run.errors;
     EXPECT_EQ(run.output, "");
     EXPECT_NE(run.errors.find("evaluations, relative error at most"), std::string::npos) << run.errors;
-    EXPECT_EQ(run.errors.find('\r'), std::string::npos) << "no progress line where nobody watches";
+    EXPECT_EQ(run.errors.find('\r'), std::string::npos) << "no progress line without a terminal";
     std::ifstream file(stats);
     const auto report = nlohmann::json::parse(file);
     EXPECT_EQ(report["mode"], "ideal");
@@ -293,11 +293,11 @@ TEST(Reference, StoppedAtAnyPointItLeavesNothing) {
         const std::string out = freshPath("reference.exr");
         int count = 0;
         app::ReferenceOptions options = ideal(out);
-        // Done before anybody is asked again, or more than a second's work, of which progress is told all along.
+        // One pixel ends before the next progress call; the other size takes over a second, with many calls.
         options.view.size = calls == 0 ? app::Size{1, 1} : app::Size{1024, 1024};
-        const auto said = app::reference(options, [&](double) { return count++ < calls; });
-        ASSERT_FALSE(said);
-        EXPECT_EQ(said.error().message, "interrupted; nothing was written");
+        const auto result = app::reference(options, [&](double) { return count++ < calls; });
+        ASSERT_FALSE(result);
+        EXPECT_EQ(result.error().message, "interrupted; nothing was written");
         EXPECT_TRUE(neighbours(out).empty());
     }
 }
@@ -344,7 +344,7 @@ TEST(Reference, CommandLine) {
     refused({"-o", out, "--threads", "5000"}, 2, "from 0 to 1024");
     refused({"-o", out, "--mode", "real"}, 2, "ideal, hardware");
     refused({"-o", out, "--mode", "hardware", "--shadow-size", "0"}, 2, "from 1 to 16384");
-    for (const char* texels : {"1024", "64"})  // the default too, once it is asked for
+    for (const char* texels : {"1024", "64"})  // the default too, if given explicitly
         refused({"-o", out, "--shadow-size", texels}, 2, "the ideal mode has no shadow maps");
     refused({"-o", out, "--size", "0x4"}, 2, "each side");
     refused({"-o", out, "--layer", "all"}, 2, "--layer");

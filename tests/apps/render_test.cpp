@@ -1,4 +1,4 @@
-// Pictures of small scenes whose looks are known, drawn on lavapipe by the program itself.
+// Pictures of small scenes with known results, drawn on lavapipe by the program.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -11,7 +11,7 @@
 namespace tyndall::test {
 namespace {
 
-/// Renders with validation on and returns the EXR's pixels; empty where it failed.
+/// Renders with validation on and returns the EXR's pixels; empty if it failed.
 Pixels render(const Glb& glb, std::vector<std::string> options) {
     const std::string picture = freshPath("picture.exr");
     std::vector<std::string> arguments = {"render", writeScene(glb), "-o", picture, "--validate", "--size", "64x64"};
@@ -22,7 +22,7 @@ Pixels render(const Glb& glb, std::vector<std::string> options) {
     return run.status == 0 ? readPixels(picture) : Pixels{};
 }
 
-/// The camera stands where the lamp is and sees exactly the lamp's field of view.
+/// The camera is at the lamp and sees exactly the lamp's field of view.
 Glb slideScene() {
     Glb glb = wallScene();
     // Top row red, green; bottom row blue, white.
@@ -42,7 +42,7 @@ class Slide : public testing::TestWithParam<const char*> {};
 
 TEST_P(Slide, AppearsAsItWouldToAnEyeAtTheLamp) {
     Glb glb = slideScene();
-    // Clear air: what is seen is the pool on the wall alone.
+    // Clear air: only the light on the wall is visible.
     if (GetParam() == std::string("all")) glb.json["nodes"][2]["extras"]["tyndall"]["density"] = 0.0;
     const Pixels picture = render(glb, {"--layer", GetParam(), "--accum", "rgba32f", "--planes", "16"});
     ASSERT_EQ(picture.width, 64);
@@ -66,7 +66,7 @@ TEST(Render, ShaftIsTheIntegralAlongTheRay) {
         {"shape", "frustum"}, {"density", 0.1}, {"near", 1.0}, {"shadow", "none"}};
     const Pixels picture = render(glb, {"--layer", "shafts", "--accum", "rgba32f", "--planes", "400"});
     ASSERT_EQ(picture.width, 64);
-    // Every ray leaves the lamp itself, so L = density / (4 pi) I (1/a - 1/b) over a ray from a to b metres.
+    // Every ray starts at the lamp, so L = density / (4 pi) I (1/a - 1/b) over a ray from a to b metres.
     // The middle of four pixels lies on the axis: 1 to 5 m, within (0.35 / 32)^2 / 2 = 6e-5 of it.
     const double expected = 0.1 / (4.0 * std::numbers::pi) * 100.0 * (1.0 - 1.0 / 5.0);
     // The midpoint rule over slabs of h = 0.01 m errs by h^2 / 24 * (f'(5) - f'(1)) = 8e-6 for f = 1 / d^2, 1e-5 of
@@ -90,7 +90,7 @@ TEST(Render, ABlockerDarkensTheAirBehindItAndTheWall) {
     glb.json["nodes"][2]["extras"]["tyndall"] = {{"shape", "frustum"}, {"density", 0.1}, {"near", 1.0}};
     const std::size_t square = glb.addSquare(0.3f);
     glb.addNode({{"name", "Blocker"}, {"mesh", square}, {"translation", {0, 0, -2}}});
-    // The eye stands aside and looks at the wall's middle past the blocker.
+    // The eye is aside and looks at the wall's middle past the blocker.
     glb.json["nodes"][1]["translation"] = {3, 0, 0};
     glb.json["nodes"][1]["rotation"] = {0, std::sin(0.27), 0, std::cos(0.27)};  // 2 * 0.27 = atan(3/5)
     const Pixels shadowed = render(glb, {});
@@ -110,7 +110,7 @@ TEST(Render, ABlockerDarkensTheAirBehindItAndTheWall) {
 TEST(Render, NoSurfaceShadesItself) {
     Glb glb = wallScene();
     glb.json["nodes"][2]["extras"]["tyndall"] = {{"shape", "frustum"}, {"density", 0.0}};
-    // A wall seen from 80 degrees aside by the lamp: the worst slope for a shadow map.
+    // The lamp sees the wall at 80 degrees from its normal: the worst slope for a shadow map.
     glb.json["nodes"][0]["rotation"] = {0, std::sin(0.698), 0, std::cos(0.698)};
     const Pixels with = render(glb, {"--shadow-size", "256"});
     glb.json["nodes"][2]["extras"]["tyndall"]["shadow"] = "none";
@@ -177,7 +177,7 @@ TEST(Render, StatisticsSayWhatWasDrawn) {
     EXPECT_LT(report["fragmentInvocations"], 12 * 64 * 64 * 2);
     EXPECT_GT(report["memory"]["deviceBytes"], 64 * 64 * 16);
     EXPECT_EQ(report["shadowMapsDrawn"], 0);
-    // What is uploaded but for textures is the plan's geometry, and the composite's constants, which are few.
+    // Apart from textures, the uploads are the plan's geometry and the composite's few constants.
     const std::uint64_t uploaded = report["memory"]["bytesUploaded"], geometry = report["bytes"]["geometry"];
     EXPECT_GE(uploaded, geometry);
     EXPECT_LE(uploaded, geometry + 256);
@@ -193,7 +193,7 @@ TEST(Render, ForcedTechniqueDrawsWhatTheLightLacks) {
         render(glb, {"--layer", "shafts", "--accum", "rgba32f", "--technique", "clip_nonoise_shadow_cookie_technique"});
     ASSERT_EQ(plain.width, 64);
     ASSERT_EQ(forced.width, 64);
-    // A white cookie and an empty shadow map change nothing but the last bits of a product.
+    // A white cookie and an empty shadow map change only the last bits of a product.
     for (std::size_t i = 0; i < plain.values.size(); ++i) EXPECT_NEAR(forced.values[i], plain.values[i], 1e-5f);
 }
 

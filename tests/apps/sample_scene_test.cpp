@@ -1,4 +1,4 @@
-// The scenes in apps/scenes hold what their README says of them.
+// The scenes in apps/scenes match their README.
 #include <gtest/gtest.h>
 #include <tyndall/scene/load_scene.h>
 
@@ -12,10 +12,10 @@ namespace {
 struct Sample {
     const char* name;
     std::size_t lights;
-    std::ptrdiff_t off;      ///< lights of intensity 0
-    std::size_t noisy;       ///< lights with noise
-    std::size_t mostImages;  ///< pictures that all lights and meshes share
-    double loop;             ///< seconds after which the animation is where it began; 0: nothing moves
+    std::ptrdiff_t off;     ///< lights of intensity 0
+    std::size_t noisy;      ///< lights with noise
+    std::size_t maxImages;  ///< images of all lights and meshes together
+    double loop;            ///< seconds after which the animation repeats; 0: nothing moves
     std::vector<std::string> cameras;
 };
 
@@ -43,7 +43,7 @@ TEST_P(SampleScene, HoldsItsLights) {
     EXPECT_EQ(static_cast<std::size_t>(
                   std::ranges::count_if(scene.lights, [](const auto& lamp) { return lamp.light.noise.has_value(); })),
               GetParam().noisy);
-    EXPECT_LE(scene.images.size(), GetParam().mostImages) << "lights share their pictures";
+    EXPECT_LE(scene.images.size(), GetParam().maxImages) << "lights share their pictures";
 }
 
 TEST_P(SampleScene, HoldsItsCameras) {
@@ -60,14 +60,14 @@ TEST_P(SampleScene, FitsIntoAMegabyte) {
 /// The largest distance that a corner of a mesh's bounds moves between two moments.
 double movement(const app::Scene& a, const app::Scene& b) {
     EXPECT_EQ(a.instances.size(), b.instances.size());
-    double most = 0.0;
+    double max = 0.0;
     for (std::size_t i = 0; i < std::min(a.instances.size(), b.instances.size()); ++i)
         for (const app::Vertex& vertex : a.meshes[a.instances[i].mesh].vertices) {
             const glm::dvec4 point(glm::dvec3(vertex.position), 1.0);
-            most = std::max(most,
-                            glm::distance(a.instances[i].worldFromMesh * point, b.instances[i].worldFromMesh * point));
+            max = std::max(max,
+                           glm::distance(a.instances[i].worldFromMesh * point, b.instances[i].worldFromMesh * point));
         }
-    return most;
+    return max;
 }
 
 TEST_P(SampleScene, MovesAndComesBack) {

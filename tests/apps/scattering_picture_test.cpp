@@ -27,13 +27,13 @@ struct Air {
 };
 
 /// An eye at the origin that looks along -Z over 60 degrees. The lamp is at `lamp`, turned by `turn` degrees about +Y
-/// from -Z, its beam 40 degrees wide; a square of 0.6 m stands at `square`.
+/// from -Z, its beam 40 degrees wide; a square of 0.6 m is at `square`.
 std::string beamScene(const Air& air, const std::array<double, 3>& lamp, double turn, double near, double far,
                       const std::array<double, 3>& square) {
     Glb glb;
     glb.json = {{"asset", {{"version", "2.0"}}}, {"extensionsUsed", {"KHR_lights_punctual"}}, {"scene", 0}};
     const std::size_t mesh = glb.addSquare(0.3f);
-    json settings = {{"shape", "frustum"}, {"fov", {40.0, 40.0}},   {"near", near},
+    json settings = {{"shape", "frustum"}, {"fov", {40.0, 40.0}},    {"near", near},
                      {"far", far},         {"density", air.density}, {"anisotropy", air.anisotropy}};
     if (air.albedo > 0.0) settings["albedo"] = air.albedo;
     const double half = 0.5 * turn * std::numbers::pi / 180.0;
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Air, ScatteringPicture,
                                          Air{"BackwardsDense", -0.6, 0.1, 0.4}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// From the side, so that light turns by all angles from 30 to 150 degrees, and both ways change over the picture.
+// From the side: scattering angles are from 30 to 150 degrees, and both path lengths vary over the picture.
 TEST_P(ScatteringPicture, AgreesWithTheReference) {
     auto device = headless::Device::create({.validation = true});
     ASSERT_TRUE(device) << device.error().message;
@@ -105,9 +105,9 @@ TEST_P(ScatteringPicture, AgreesWithTheReference) {
     EXPECT_LT(planned->relativeL2, 0.05);
 }
 
-// The middle of a pixel shows it there, between the rays of the range's own grid.
-constexpr std::array<double, 3> towardsEye{8.0 * 1.02640 * (2.0 * 34.5 / width - 1.0), 8.0 * 0.57735 * (1.0 - 2.0 * 16.5 / height),
-                                           -8.0};
+// A pixel's centre that lies between the rays of the range's grid.
+constexpr std::array<double, 3> towardsEye{8.0 * 1.02640 * (2.0 * 34.5 / width - 1.0),
+                                           8.0 * 0.57735 * (1.0 - 2.0 * 16.5 / height), -8.0};
 
 struct Shot {
     Air air;
@@ -116,19 +116,18 @@ struct Shot {
 };
 
 class AutomaticRange : public testing::TestWithParam<Shot> {};
-INSTANTIATE_TEST_SUITE_P(
-    Air, AutomaticRange,
-    testing::Values(Shot{{"TowardsTheLamp", 0.9, 0.05, 0.0}, towardsEye, 180.0},
-                    Shot{{"NarrowPeakBetweenTheRays", 0.97, 0.05, 0.0}, towardsEye, 180.0},
-                    Shot{{"AlongTheBeam", -0.9, 0.05, 0.0}, {0.2, 0.1, 0.5}, 0.0},
-                    Shot{{"FromTheSide", 0.9, 0.05, 0.0}, {5.0, 0.1, -6.0}, 90.0},
-                    Shot{{"Dense", 0.0, 0.2, 0.2}, towardsEye, 180.0},
-                    Shot{{"LightEndsWithinTwoMetres", 0.0, 1.2, 0.4}, {0.2, 0.1, 0.5}, 0.0},
-                    Shot{{"DenseAndForwards", 0.9, 0.2, 0.4}, towardsEye, 180.0}),
-    [](const auto& test) { return std::string(test.param.air.name); });
+INSTANTIATE_TEST_SUITE_P(Air, AutomaticRange,
+                         testing::Values(Shot{{"TowardsTheLamp", 0.9, 0.05, 0.0}, towardsEye, 180.0},
+                                         Shot{{"NarrowPeakBetweenTheRays", 0.97, 0.05, 0.0}, towardsEye, 180.0},
+                                         Shot{{"AlongTheBeam", -0.9, 0.05, 0.0}, {0.2, 0.1, 0.5}, 0.0},
+                                         Shot{{"FromTheSide", 0.9, 0.05, 0.0}, {5.0, 0.1, -6.0}, 90.0},
+                                         Shot{{"Dense", 0.0, 0.2, 0.2}, towardsEye, 180.0},
+                                         Shot{{"LightEndsWithinTwoMetres", 0.0, 1.2, 0.4}, {0.2, 0.1, 0.5}, 0.0},
+                                         Shot{{"DenseAndForwards", 0.9, 0.2, 0.4}, towardsEye, 180.0}),
+                         [](const auto& test) { return std::string(test.param.air.name); });
 
-// The square is far away: the range takes no notice of shadows. What exceeds the
-// range clips in an 8-bit picture; a range twice too wide costs a bit.
+// The square is far away: the range ignores shadows. Values above the range
+// are clipped in an 8-bit picture; a range twice too wide costs a bit.
 TEST_P(AutomaticRange, HoldsTheBrightestPixelAndWastesNoDigits) {
     auto device = headless::Device::create();
     ASSERT_TRUE(device) << device.error().message;

@@ -1,4 +1,4 @@
-// What the second frame of a scene costs, and that it shows what a renderer of its own would.
+// The cost of a scene's second frame, and its equality with the picture of a new renderer.
 #include <gtest/gtest.h>
 #include <headless/device.h>
 #include <tyndall/frame/plan_scene.h>
@@ -37,7 +37,7 @@ protected:
     SceneRenderer renderer() { return must(SceneRenderer::create(*device, planned->scene)); }
     Frame draw(SceneRenderer& renderer) { return must(renderer.draw(*planned, view, shafts, false)); }
 
-    /// As drawn by a renderer that knows nothing of earlier frames, of a scene whose facts are read off anew.
+    /// Drawn by a new renderer, with the scene's facts computed again.
     void expectAsFresh(const Frame& frame) {
         PlannedScene anew = must(prepareScene(view));
         anew.scene.instances = planned->scene.instances;
@@ -104,7 +104,7 @@ TEST_F(SceneRendererTest, WhatIsOutOfViewCostsNothingAndIsThereWhenTheEyeComesBa
     const Frame first = draw(kept);
     turnAway();
     const Frame away = draw(kept);
-    ASSERT_EQ(mapsCalledFor(), 0u) << "else this says nothing";
+    ASSERT_EQ(mapsCalledFor(), 0u) << "else this tests nothing";
     EXPECT_EQ(away.statistics.shafts.draws, 0u);
     EXPECT_EQ(away.statistics.shafts.bytesUploaded, 0u);
     expectNothingNew(away.statistics);
@@ -170,12 +170,12 @@ TEST_F(SceneRendererTest, AnotherSizeOfPictureAndMaps) {
 TEST_F(SceneRendererTest, FewerMapsThanLightsThatEverCalledForOne) {
     view.layer = Layer::Shafts;
     SceneRenderer kept = renderer();
-    // Looks round twice from the middle of the stage, a few lights at a time: maps are handed on from light to light,
-    // and those that were given away are called for again.
+    // Turns round twice in the middle of the stage, with a few lights in view at a time: maps pass from light to light,
+    // and lights that lost their map need one again.
     planned->view = perspectiveView(planned->view.worldFromView, 0.3, 16.0 / 9.0, 0.1, 1000.0);
     std::vector<bool> called(planned->lights.size());
     std::vector<Image> firstRound;
-    std::size_t most = 0;
+    std::size_t maxMaps = 0;
     for (int step = 0; step < 24; ++step) {
         planned->view.worldFromView = glm::rotate(
             glm::translate(glm::dmat4(1.0), 0.5 * (planned->scene.bounds.minimum + planned->scene.bounds.maximum)),
@@ -187,12 +187,12 @@ TEST_F(SceneRendererTest, FewerMapsThanLightsThatEverCalledForOne) {
                 called[light] = true;
                 ++now;
             }
-        most = std::max(most, now);
+        maxMaps = std::max(maxMaps, now);
         if (step < 12) firstRound.push_back(frame.picture);
         EXPECT_TRUE(frame.picture.values == firstRound[static_cast<std::size_t>(step % 12)].values) << "step " << step;
     }
-    EXPECT_EQ(kept.shadowMaps().count(), most);
-    EXPECT_LT(most, static_cast<std::size_t>(std::ranges::count(called, true))) << "else this says nothing";
+    EXPECT_EQ(kept.shadowMaps().count(), maxMaps);
+    EXPECT_LT(maxMaps, static_cast<std::size_t>(std::ranges::count(called, true))) << "else this tests nothing";
 }
 
 TEST_F(SceneRendererTest, ForcedPaysForEverything) {

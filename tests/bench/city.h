@@ -41,8 +41,7 @@ inline City city(std::size_t lamps) {
         lamp.farPlane = 6.2;
         lamp.intensity = 200.0;
         city.lights.push_back(lamp);
-        if (i % 4 == 0)
-            boxes.push_back({glm::dmat4(1.0), {x + 9.0, 0.0, z + 9.0}, {x + 15.0, 12.0, z + 15.0}, {}});
+        if (i % 4 == 0) boxes.push_back({glm::dmat4(1.0), {x + 9.0, 0.0, z + 9.0}, {x + 15.0, 12.0, z + 15.0}, {}});
     }
     const double edge = middle + 20.0;
     const Blocker ground{{{{{-edge, 0, -edge}, {edge, 0, -edge}, {edge, 0, edge}}},

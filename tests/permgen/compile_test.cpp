@@ -163,8 +163,7 @@ const std::string deep = nested(20'000);
 INSTANTIATE_TEST_SUITE_P(
     Compile, Crashes,
     testing::Values(Crash{"UnnamedParameter", "float4 ps_entry(int) : SV_Target0 { return 1.0; }\n"},
-                    Crash{"VoidMember",
-                              "struct S { void a; }; float4 ps_entry(S s) : SV_Target0 { return 1.0; }\n"},
+                    Crash{"VoidMember", "struct S { void a; }; float4 ps_entry(S s) : SV_Target0 { return 1.0; }\n"},
                     Crash{"CaseOutsideSwitch", "float4 ps_entry() : SV_Target0 { case 1: return 1.0; }\n"},
                     Crash{"UnclosedSubscript", "float4 ps_entry() : SV_Target0 { float a[3]; a[10 = 1; }\n"},
                     Crash{"DeepNesting", deep.c_str()}),

@@ -189,7 +189,8 @@ TEST_F(BrokenManifest, AFolderIsGoodForItsOnlyManifest) {
     EXPECT_EQ(loaded->tables().name, "everything");
     fs::copy(manifest, folder / "other.fx.json");
     loaded = load_manifest(folder);
-    EXPECT_NE(loaded.error().message.find(folder.string() + ": the folder holds 2 manifests"), std::string::npos) << loaded.error().message;
+    EXPECT_NE(loaded.error().message.find(folder.string() + ": the folder holds 2 manifests"), std::string::npos)
+        << loaded.error().message;
     fs::remove_all(folder);
     fs::create_directory(folder);
     loaded = load_manifest(folder);
@@ -280,7 +281,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"ModuleAsNumber", "/modules/1", 3, "modules[1]: an object was expected, and this is number"},
         Damage{"NoEntry", "/modules/0/entry", erased, "modules[0]: the field 'entry' is missing"},
         Damage{"EntryAsNull", "/modules/0/entry", nullptr, "modules[0].entry: a text was expected, and this is null"},
-        Damage{"UnknownStage", "/modules/0/stage", "geometry", "modules[0].stage: 'geometry' is not one of vertex, pixel"},
+        Damage{"UnknownStage", "/modules/0/stage", "geometry",
+               "modules[0].stage: 'geometry' is not one of vertex, pixel"},
         Damage{"FileElsewhere", "/modules/0/file", "../x.spv", "'../x.spv' does not name a file beside the manifest"},
         Damage{"FileOfRoot", "/modules/0/file", "/x.spv", "does not name a file beside the manifest"},
         Damage{"FileWithoutName", "/modules/0/file", "", "does not name a file beside the manifest"},
@@ -309,7 +311,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"UnknownState", "/techniques/0/passes/0/states/0/state", "CulMode",
                "states[0].state: 'CulMode' is not a state of Direct3D 9"},
         Damage{"StateWithoutIndex", "/techniques/0/passes/0/states/0/index", erased, "the field 'index' is missing"},
-        Damage{"UnknownValueKind", "/techniques/0/passes/0/states/0/kind", "word", "states[0].kind: 'word' is not one of"},
+        Damage{"UnknownValueKind", "/techniques/0/passes/0/states/0/kind", "word",
+               "states[0].kind: 'word' is not one of"},
         Damage{"WrongValueKind", "/techniques/0/passes/0/states/0/kind", "float",
                "states[0].kind: 'CullMode' has no value of the kind 'float'"},
         Damage{"UnknownValue", "/techniques/0/passes/0/states/0/bits", 9, "states[0].bits: 'CullMode' has no value 9"},

@@ -7,8 +7,8 @@
 #include "back/compile.h"
 #include "back/program.h"
 #include "back/reflect.h"
-#include "back/spirv_module.h"
 #include "back/validate.h"
+#include "common/spirv_module.h"
 #include "small_effect.h"
 
 namespace permgen {

@@ -13,9 +13,8 @@ std::vector<std::string> messagesAfter(const std::function<void(VkCommandBuffer,
     options.preferSoftware = true;
     options.skipInvalidCalls = true;
     const headless::Device device = must(headless::Device::create(options));
-    const headless::Buffer buffer =
-        must(headless::Buffer::create(device, 64, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                      headless::MemoryPlace::Device));
+    const headless::Buffer buffer = must(headless::Buffer::create(
+        device, 64, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, headless::MemoryKind::Device));
     EXPECT_TRUE(device.messages().empty());
     (void)headless::submitAndWait(device, [&](VkCommandBuffer commands) { mistake(commands, buffer); });
     return device.messages();

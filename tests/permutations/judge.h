@@ -24,8 +24,7 @@ void judge(const Permutation& permutation, const std::string& check, const std::
            const Image* expected);
 
 /// Against the golden of that name in tests/permutations/goldens. TYNDALL_UPDATE_GOLDENS=1 makes it again, and fails.
-void judgeGolden(const Permutation& permutation, const std::string& name, const Image& image,
-                 rig::Tolerance tolerance);
+void judgeGolden(const Permutation& permutation, const std::string& name, const Image& image, rig::Tolerance tolerance);
 
 /// Against the oracle's intervals.
 void judgeOracle(const Permutation& permutation, const std::string& check, const Picture& picture, double scale,

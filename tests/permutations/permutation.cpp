@@ -13,9 +13,6 @@
 namespace tyndall::test {
 namespace {
 
-/// The switch of each term, with its name in slices.fx.
-constexpr PerTerm<std::string_view> kSwitches{{"bScrollingNoise", "bShadowMapping", "bCookie", "bScattering"}};
-
 bool switchOf(const permgen::Technique& technique, std::string_view axis) {
     for (const permgen::Constant& constant : technique.passes[0].pixel.constants)
         if (constant.name == axis) return constant.bits != 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <permgen/tables.h>
+#include <tyndall/terms.h>
 
 #include <string>
 #include <string_view>
@@ -15,6 +16,9 @@ namespace tyndall::test {
 
 /// permgen's tables of slices.fx.
 const permgen::Effect& effectTables();
+
+/// Each term's switch in slices.fx, written down apart from the tables under test.
+inline constexpr PerTerm<std::string_view> kSwitches{{"bScrollingNoise", "bShadowMapping", "bCookie", "bScattering"}};
 
 struct Permutation {
     const permgen::Technique* technique;

@@ -10,7 +10,7 @@
 namespace tyndall::test {
 namespace {
 
-study::Texture studyTexture(const Texture& texture) {
+study::Image studyTexture(const Texture& texture) {
     return {texture.width, texture.height, texture.channels, texture.texels};
 }
 

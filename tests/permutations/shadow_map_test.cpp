@@ -45,7 +45,7 @@ Texture drawTriangle(const Light& light) {
     must(headless::submitAndWait(g.device, [&](VkCommandBuffer commands) -> Result<void> {
         headless::transition(commands, map, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
         return g.frozen.recordShadowMap(commands, frame, light, std::span(&occluder, 1), map.view(), map.format(),
-                                          kSize);
+                                        kSize);
     }));
     return downloadDepth(map, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
 }

@@ -1,6 +1,6 @@
 // Every module of slices.fx is valid and names the resources in its tables. The test reads the SPIR-V independently.
-#include <gtest/gtest.h>
 #include <back/validate.h>
+#include <gtest/gtest.h>
 
 #include <map>
 #include <set>
@@ -66,10 +66,9 @@ TEST_P(SpirvTest, FrozenModulesAreValidAndUseExactlyWhatIsLive) {
 
 // The technique's name must match its switches.
 TEST_P(SpirvTest, ItsSwitchesAreWhatItsNameSays) {
-    constexpr PerTerm<std::string_view> switches{{"bScrollingNoise", "bShadowMapping", "bCookie", "bScattering"}};
     for (const permgen::Constant& constant : GetParam().pass().pixel.constants)
         for (const Term term : allTerms)
-            if (constant.name == switches[term]) {
+            if (constant.name == kSwitches[term]) {
                 EXPECT_EQ(constant.bits != 0, GetParam().terms.contains(term)) << constant.name;
             }
 }

@@ -37,6 +37,7 @@ TEST(CapacityExceeded, NamesTheFunctionAndTheCapacityInTheAnswer) {
         FAIL() << "three entries in a vector of two";
     } catch (const CapacityExceeded& exceeded) {
         const Error error = internalError(exceeded);
+        EXPECT_EQ(error.code, ErrorCode::Internal);
         EXPECT_EQ(error.message.find("internal: "), 0u) << error.message;
         EXPECT_NE(error.message.find("overfill"), std::string::npos) << error.message;
         EXPECT_NE(error.message.find("holds 2 entries"), std::string::npos) << error.message;

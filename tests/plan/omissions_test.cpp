@@ -116,7 +116,8 @@ TEST(Omissions, AreNoneWhereNothingMayBeLeftOut) {
     const auto untouched = [](Faint& faint) {
         faint.add(1e-30, between01(0.4, 0.6), between01(0.0, 1.0));
         faint.leaveOut(faint.options.displayStep);
-        return faint.lights[0].verdict == Verdict::Drawn && faint.lights[0].terms.contains(Term::Cookie) && faint.lights[0].terms.contains(Term::Noise);
+        return faint.lights[0].verdict == Verdict::Drawn && faint.lights[0].terms.contains(Term::Cookie) &&
+               faint.lights[0].terms.contains(Term::Noise);
     };
     Faint step;
     EXPECT_TRUE(untouched(step)) << "no display step is known";

@@ -1,8 +1,8 @@
 // The published geometry: unit-cube quads, stretched over the bounds and cut by clip distances.
 #include <gtest/gtest.h>
 
-#include "visibility/light_volume.h"
 #include "plan_scenes.h"
+#include "visibility/light_volume.h"
 #include "visibility/view_pose.h"
 
 namespace tyndall {

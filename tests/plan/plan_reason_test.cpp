@@ -42,8 +42,7 @@ TEST(Technique, CanBeForced) {
     options.terms = TermSet::all();
     const Plan result = planned({scene.light}, scene.view, options);
     EXPECT_EQ(result.lights[0].terms, TermSet::all());
-    EXPECT_EQ(reason(result.lights[0], scene.view),
-              "The options force this technique.");
+    EXPECT_EQ(reason(result.lights[0], scene.view), "The options force this technique.");
     options.terms = TermSet{};
     scene.light.shadow = true;
     const PlannedLight light = planned({scene.light}, scene.view, options).lights[0];

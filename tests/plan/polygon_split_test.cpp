@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "plan_scenes.h"
 #include "geometry/slice_polygon.h"
+#include "plan_scenes.h"
 
 namespace tyndall {
 namespace {

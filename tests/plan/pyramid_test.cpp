@@ -50,8 +50,7 @@ TEST(Pyramid, HasItsCornersInTheirOrder) {
     const std::array<glm::dvec3, 8> corners = cornersOf(pyramidOf(light));
     const glm::dvec3 expected[] = {{-1, -0.5, -1}, {1, -0.5, -1}, {-1, 0.5, -1}, {1, 0.5, -1},
                                    {-4, -2, -4},   {4, -2, -4},   {-4, 2, -4},   {4, 2, -4}};
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        EXPECT_LT(glm::distance(corners[i], expected[i]), 1e-14) << i;
+    for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_LT(glm::distance(corners[i], expected[i]), 1e-14) << i;
 }
 
 // A corner lies on its three planes, and inside the other three.
@@ -152,8 +151,8 @@ TEST(Pyramid, MeetsAPlaneAtMostSoFarAlongItsAxis) {
     EXPECT_EQ(maxAxisOn({0.0, 0.0, 1.0, 7.0}, pyramid), 4.0) << "beyond the far plane";
     EXPECT_EQ(maxAxisOn({1.0, 0.0, 0.0, 3.0}, pyramid), 4.0) << "parallel to the axis";
     const double tilt = 0.3;  // n = (sin, 0, cos): w cos - s w sin = d, largest at the slope 1
-    EXPECT_NEAR(maxAxisOn({std::sin(tilt), 0.0, std::cos(tilt), 2.0}, pyramid),
-                2.0 / (std::cos(tilt) - std::sin(tilt)), 1e-13);
+    EXPECT_NEAR(maxAxisOn({std::sin(tilt), 0.0, std::cos(tilt), 2.0}, pyramid), 2.0 / (std::cos(tilt) - std::sin(tilt)),
+                1e-13);
     EXPECT_NEAR(maxAxisOn({0.0, -std::sin(tilt), std::cos(tilt), 2.0}, pyramid),
                 2.0 / (std::cos(tilt) - 0.5 * std::sin(tilt)), 1e-13);
 }

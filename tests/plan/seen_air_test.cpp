@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "visibility/light_volume.h"
 #include "plan_scenes.h"
+#include "visibility/light_volume.h"
 
 namespace tyndall {
 namespace {
@@ -53,7 +53,8 @@ Shot randomShot(Random& random, bool withTiles) {
     ConvexPolyhedron seen;
     const LightVolume volume = lightVolume(shot.light, shot.view, shot.pose, {}, {}, seen);
     if (volume.hidden == Verdict::Drawn)
-        shot.air = seenAir(seen, shapeOf(shot.light), shot.view, shot.pose, withTiles ? std::optional(shot.tiles) : std::nullopt);
+        shot.air = seenAir(seen, shapeOf(shot.light), shot.view, shot.pose,
+                           withTiles ? std::optional(shot.tiles) : std::nullopt);
     return shot;
 }
 

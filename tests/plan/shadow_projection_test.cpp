@@ -62,12 +62,16 @@ TEST(MapErrorShare, IsTheDepthBetweenNeighbouringTexels) {
     const LightShape shape = shapeOf(projector());
     constexpr std::uint32_t mapSize = 4096;
     for (int trial = 0; trial < 200; ++trial) {
-        const glm::dvec3 normal = glm::normalize(glm::dvec3(between(random, -0.5, 0.5), between(random, -0.5, 0.5), 1.0));
+        const glm::dvec3 normal =
+            glm::normalize(glm::dvec3(between(random, -0.5, 0.5), between(random, -0.5, 0.5), 1.0));
         const double distance = between(random, 1.0, 3.0);
         const glm::dvec2 slope(between(random, -0.3, 0.3), between(random, -0.2, 0.2));
-        const auto axisAt = [&](const glm::dvec2& s) { return distance / (normal.z - normal.x * s.x - normal.y * s.y); };
+        const auto axisAt = [&](const glm::dvec2& s) {
+            return distance / (normal.z - normal.x * s.x - normal.y * s.y);
+        };
         const glm::dvec2 texel(2.0 * std::tan(20.0 * degrees) / mapSize, 2.0 * std::tan(12.0 * degrees) / mapSize);
-        const glm::dvec2 next = slope + glm::dvec2(normal.x < 0.0 ? -texel.x : texel.x, normal.y < 0.0 ? -texel.y : texel.y);
+        const glm::dvec2 next =
+            slope + glm::dvec2(normal.x < 0.0 ? -texel.x : texel.x, normal.y < 0.0 ? -texel.y : texel.y);
         const double axis = axisAt(slope);
         EXPECT_NEAR(mapErrorShare(shape, glm::dvec4(normal, distance), mapSize, axis) * axis, axisAt(next) - axis,
                     3e-3 * (axisAt(next) - axis));

@@ -37,7 +37,8 @@ bool meets(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& centr
     double first = 0.0, last = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
         const double direction = to[axis] - from[axis];
-        const double a = (centre[axis] - half - from[axis]) / direction, b = (centre[axis] + half - from[axis]) / direction;
+        const double a = (centre[axis] - half - from[axis]) / direction,
+                     b = (centre[axis] + half - from[axis]) / direction;
         first = std::max(first, std::min(a, b));
         last = std::min(last, std::max(a, b));
     }
@@ -52,7 +53,8 @@ TEST(SurfaceLight, KnowsEveryPointThatTheViewShowsAndTheLightReaches) {
         light.worldFromLight = rigidMotion(random, 2.0);
         const View view = perspectiveView(rigidMotion(random, 4.0), 40.0 * degrees, 1.5, 0.05, 30.0);
         const glm::dvec3 lamp(light.worldFromLight[3]);
-        const glm::dvec3 centre = lamp + glm::dmat3(light.worldFromLight) * glm::dvec3(between(random, -1.5, 1.5), 0.0, -2.0);
+        const glm::dvec3 centre =
+            lamp + glm::dmat3(light.worldFromLight) * glm::dvec3(between(random, -1.5, 1.5), 0.0, -2.0);
         const double half = between(random, 0.05, 0.3);
         const OccluderSet occluders = cubeAt(centre, half);
         const SurfaceLight needs = needsOf(light, view, {.occluders = &occluders});
@@ -118,7 +120,8 @@ TEST(SurfaceLight, EndsAtTheWallsThatThePlanEndsAt) {
     const SurfaceLight needs = needsOf(light, view, {.blockers = &blockers});
     ASSERT_EQ(needs.walls.size(), 1u);
     EXPECT_EQ(needs.walls, made.walls);
-    EXPECT_TRUE(needsOf(projector(), view, {.blockers = &blockers}).walls.empty()) << "light without shadow goes through";
+    EXPECT_TRUE(needsOf(projector(), view, {.blockers = &blockers}).walls.empty())
+        << "light without shadow goes through";
 }
 
 TEST(SurfaceLight, AnswersBadInputWithAnErrorAndNothingElse) {

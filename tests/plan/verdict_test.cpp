@@ -184,13 +184,15 @@ TEST(TermVerdict, NoOccluder) {
               std::vector<std::string>{"No shadow map: nothing stands between the lamp and the air that is seen."});
     c.occluders = {box({0.0, 0.0, 3.0}, 0.5), box({3.0, 0.0, -3.0}, 0.5), box({0.0, 0.0, -8.0}, 0.5),
                    box({0.0, 0.0, -0.2}, 0.1)};
-    EXPECT_EQ(c.planned().verdicts[Term::Shadow], TermVerdict::NoOccluder) << "behind, beside, beyond, before the near plane";
+    EXPECT_EQ(c.planned().verdicts[Term::Shadow], TermVerdict::NoOccluder)
+        << "behind, beside, beyond, before the near plane";
     c.occluders->push_back(box({0.0, 0.0, -4.0}, 0.5));
     light = c.planned();
     EXPECT_EQ(light.verdicts[Term::Shadow], TermVerdict::Drawn);
     EXPECT_NEAR(light.firstOccluder, 3.5, 1e-3);
     ASSERT_EQ(savings(light).size(), 1u);
-    EXPECT_EQ(savings(light)[0], "Shadow looked up only where occluders can throw one, the first of them 3.5 m from the lamp.");
+    EXPECT_EQ(savings(light)[0],
+              "Shadow looked up only where occluders can throw one, the first of them 3.5 m from the lamp.");
 }
 
 TEST(TermVerdict, Uniform) {
@@ -225,8 +227,8 @@ TEST(TermVerdict, Invisible) {
     PlannedLight light = c.planned();
     EXPECT_EQ(light.verdict, Verdict::Drawn);
     EXPECT_EQ(light.verdicts[Term::Cookie], TermVerdict::Invisible);
-    EXPECT_EQ(savings(light), std::vector<std::string>{
-                                  "No cookie: it differs by less than the display shows; its mean replaces it."});
+    EXPECT_EQ(savings(light),
+              std::vector<std::string>{"No cookie: it differs by less than the display shows; its mean replaces it."});
     c.options.displayStep = 1e-9;
     EXPECT_EQ(c.planned().verdicts[Term::Cookie], TermVerdict::Drawn);
 }

@@ -118,10 +118,8 @@ TEST_F(ZeroCost, OfTermsThatAreNotCalledFor) {
              r.lights[0].shadow = true;
              r.boxes = {{-38, 15, 0, 4, 4, 4, 0}};
          }},
-        {"cookie", Term::Cookie, TermVerdict::Uniform,
-         [](Recipe& r) { r.lights[0].slide = Slide::Uniform; }},
-        {"noise", Term::Noise, TermVerdict::Uniform,
-         [](Recipe& r) { r.lights[0].dust = Dust::Uniform; }},
+        {"cookie", Term::Cookie, TermVerdict::Uniform, [](Recipe& r) { r.lights[0].slide = Slide::Uniform; }},
+        {"noise", Term::Noise, TermVerdict::Uniform, [](Recipe& r) { r.lights[0].dust = Dust::Uniform; }},
     };
     for (const Spared& term : terms) {
         Recipe recipe = withLights({plainLamp()});

@@ -1,4 +1,4 @@
-// Constants land where the shader reads them: every type, matrices of either packing, arrays.
+// Constants are written where the shader reads them: every type, matrices of both packings, arrays.
 #include "block_layout.h"
 
 #include <gtest/gtest.h>
@@ -93,8 +93,8 @@ TEST_F(BlockLayout, MistakesAreAnsweredWithTypeAndRemedy) {
         {R"({"gOne": [1, 2]})", "it is a float: give 1 number, not 2"},
         {R"({"gSquare": [1, 2, 3, 4]})", "it is a float4x4: give 16 numbers, not 4"},
         {R"({"gWide": [[1, 2], [3, 4], [5, 6]]})", "it is a float2x3: the innermost lists have 3 numbers, not 2"},
-        {R"({"gCount": 1.5})", "1.5 is no value of a int"},
-        {R"({"gMask": -1})", "-1 is no value of a uint"},
+        {R"({"gCount": 1.5})", "1.5 is not a value of a int"},
+        {R"({"gMask": -1})", "-1 is not a value of a uint"},
     };
     for (const auto& [text, expected] : mistakes) {
         const auto constants = fill(text);
@@ -109,7 +109,7 @@ TEST_F(BlockLayout, AnAlteredBlockHasEveryNumberChanged) {
     const auto& [name, bytes] = *constants->blocks.begin();
     const std::vector<std::byte> other = altered(members, name, bytes);
     for (const BlockMember& one : members) {
-        if (one.name == "gWide") continue;  // between its columns are bytes that nobody reads
+        if (one.name == "gWide") continue;  // the bytes between its columns are not read
         for (std::uint32_t i = 0; i<one.size; i += one.elements> 1 ? one.elementStride : 4)
             EXPECT_NE(std::memcmp(&bytes[one.offset + i], &other[one.offset + i], 4), 0) << one.name << " " << i;
     }

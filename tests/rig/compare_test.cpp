@@ -1,4 +1,4 @@
-// The tolerances of golden images, from both sides: what is just allowed passes, the next step fails.
+// The tolerances of golden images: the largest allowed difference passes, the next step fails.
 #include <gtest/gtest.h>
 #include <rig/compare.h>
 
@@ -58,11 +58,11 @@ TEST(Compare, ExactMeansEveryBit) {
 }
 
 TEST(Compare, FloatIsRelativeToTheLargestOfTheSameChannel) {
-    // 2e-5 of 100 is 0.002, wherever in the channel.
+    // 2e-5 of 100 is 0.002, for all values of the channel.
     EXPECT_TRUE(same(row({100.0f, 1.0019f}), row({100.0f, 1.0f}), Tolerance::Float));
     EXPECT_FALSE(same(row({100.0f, 1.0021f}), row({100.0f, 1.0f}), Tolerance::Float));
     EXPECT_FALSE(same(row({100.0f, 0.9979f}), row({100.0f, 1.0f}), Tolerance::Float));
-    // What one channel has is no excuse for another.
+    // One channel's largest value does not count for another channel.
     Image bright = blankImage(1, 1, 2), off = bright;
     bright.values = {100.0f, 1.0f};
     off.values = {100.0f, 1.0001f};
@@ -118,7 +118,7 @@ TEST(Compare, FiguresOfADifference) {
     EXPECT_EQ(apart.at.x, 1);
     EXPECT_EQ(apart.at.y, 0);
     EXPECT_DOUBLE_EQ(apart.relativeL2, 0.1);  // 0.5 / sqrt(9 + 16)
-    EXPECT_EQ(apart.differing, 2u);           // NaN counts here, and is left out of the figures
+    EXPECT_EQ(apart.differing, 2u);           // NaN counts here, but not in the figures
     EXPECT_EQ(difference(expected, expected).relativeL2, 0.0);
 }
 

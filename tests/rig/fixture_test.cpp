@@ -1,4 +1,4 @@
-// Fixture files: what they mean, and that every mistake is answered with its place and a remedy.
+// Fixture files: their meaning, and error messages with place and remedy.
 #include "fixture.h"
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ struct FixtureFile : testing::Test {
         test::writeText(folder.at("f.json"), text);
         return readFixture(folder.at("f.json"));
     }
-    /// The complaint, from behind the file's path on.
-    std::string complaint(const std::string& text) {
+    /// The error message without the file's path.
+    std::string errorOf(const std::string& text) {
         const auto fixture = read(text);
-        if (fixture) return "no complaint";
+        if (fixture) return "no error";
         const std::string start = folder.at("f.json") + ": ";
         EXPECT_EQ(fixture.error().message.substr(0, start.size()), start);
         return fixture.error().message.substr(std::min(start.size(), fixture.error().message.size()));
@@ -62,7 +62,7 @@ TEST_F(FixtureFile, FormatsBringTheirTolerance) {
     EXPECT_EQ(read(R"({"format": "rgba16f"})")->tolerance, Tolerance::Half);
 }
 
-// A point goes where the matrices say, in the order in which they are written.
+// Matrices apply in the order in which they are written.
 TEST_F(FixtureFile, TransformsMultiplyColumnVectorsFromTheRight) {
     const auto fixture = read(R"({"constants": {
         "m": {"product": [{"translate": [1, 2, 3]}, {"rotate": {"axis": [0, 0, 1], "degrees": 90}}, {"scale": [2, 2, 2]}]},
@@ -90,43 +90,46 @@ TEST_F(FixtureFile, TransformsMultiplyColumnVectorsFromTheRight) {
 
 TEST_F(FixtureFile, MistakesAreAnsweredWithTheirPlace) {
     const std::vector<std::pair<const char*, const char*>> mistakes{
-        {R"({"sise": [1, 1]})", R"(there is nothing called "sise" here; did you mean "size"?)"},
-        {R"([])", "this is an object in braces"},
-        {R"({"size": [0, 4]})", "size[0]: this is a whole number from 1 to 4096, not 0"},
+        {R"({"sise": [1, 1]})", R"("sise" has no meaning here; did you mean "size"?)"},
+        {R"([])", "this must be an object in braces"},
+        {R"({"size": [0, 4]})", "size[0]: this must be a whole number from 1 to 4096, not 0"},
         {R"({"size": [4]})", "size: width and height are 2 numbers, not 1"},
-        {R"({"size": 4})", "size: this is a list in brackets, not 4"},
-        {R"({"format": "rgb"})", R"(format: "rgb" is none of rgba32f, rgba16f, rgba8)"},
+        {R"({"size": 4})", "size: this must be a list in brackets, not 4"},
+        {R"({"format": "rgb"})", R"(format: "rgb" is not one of rgba32f, rgba16f, rgba8)"},
         {R"({"clear": [1, 2]})", "clear: a colour has 3 or 4 numbers, not 2"},
-        {R"({"depth": 1})", "depth: this is true or false, not 1"},
-        {R"({"constants": {"g": "x"}})", "constants.g: this is a number"},
+        {R"({"depth": 1})", "depth: this must be true or false, not 1"},
+        {R"({"constants": {"g": "x"}})", "constants.g: this must be a number"},
         {R"({"constants": {"g": [1, [2]]}})", "constants.g[1]: numbers and lists do not mix"},
-        {R"({"constants": {"g": [[1, 2], [3]]}})", "constants.g[1]: lists in a list are of one length"},
+        {R"({"constants": {"g": [[1, 2], [3]]}})", "constants.g[1]: lists in a list must have equal lengths"},
         {R"({"constants": {"g": []}})", "constants.g: an empty list"},
-        {R"({"constants": {"g": 1e39}})", "constants.g: this is a number from"},
+        {R"({"constants": {"g": 1e39}})", "constants.g: this must be a number from"},
         {R"({"constants": {"g": {"perspektive": {}}}})", R"(did you mean "perspective"?)"},
-        {R"({"constants": {"g": {"perspective": {"fov": 60, "near": 2, "far": 1}}}})", R"("far" is beyond "near")"},
+        {R"({"constants": {"g": {"perspective": {"fov": 60, "near": 2, "far": 1}}}})",
+         R"("far" must be beyond "near")"},
         {R"({"constants": {"g": {"perspective": {"fov": 60, "near": 2}}}})", R"(perspective: "far" is missing)"},
         {R"({"constants": {"g": {"lookAt": {"eye": [0, 1, 0], "target": [0, 0, 0]}}}})", "cannot run along"},
         {R"({"constants": {"g": {"identity": true, "scale": [1, 1, 1]}}})", "put several into \"product\""},
-        {R"({"textures": {"S": {"generate": "chequer"}}})", "textures.S.generate: \"chequer\" is none of"},
+        {R"({"textures": {"S": {"generate": "chequer"}}})", "textures.S.generate: \"chequer\" is not one of"},
         {R"({"textures": {"S": {}}})", R"(textures.S: "generate" is missing)"},
         {R"({"textures": {"S": {"generate": "constant"}}})", "textures.S: a constant texture has"},
-        {R"({"textures": {"S": {"generate": "noise", "colours": [[1, 1, 1]]}}})", "2 colour(s) are wanted, not 1"},
-        {R"({"textures": {"S": {"image": "a.png", "size": [1, 1]}}})", "an image file needs nothing else said"},
-        {R"({"geometry": "torus"})", R"(geometry: "torus" is none of triangle, quad, cube, sphere)"},
+        {R"({"textures": {"S": {"generate": "noise", "colours": [[1, 1, 1]]}}})", "2 colour(s) are needed, not 1"},
+        {R"({"textures": {"S": {"image": "a.png", "size": [1, 1]}}})",
+         R"(a texture with "image" has no other settings)"},
+        {R"({"geometry": "torus"})", R"(geometry: "torus" is not one of triangle, quad, cube, sphere)"},
         {R"({"geometry": {"vertices": {}}})", "name at least one semantic"},
-        {R"({"geometry": {"vertices": {"POSITION": [[0, 0], [1, 1]]}}})", "geometry: 2 indices are no triangles"},
+        {R"({"geometry": {"vertices": {"POSITION": [[0, 0], [1, 1]]}}})", "geometry: 2 indices do not make triangles"},
         {R"({"geometry": {"vertices": {"POSITION": [[0], [1], [2]], "NORMAL": [[0]]}}})", "give each vertex both"},
-        {R"({"geometry": {"vertices": {"POSITION": [[0], [1], [2, 3]]}}})", "POSITION[2]: a vertex has 1 to 4 numbers"},
+        {R"({"geometry": {"vertices": {"POSITION": [[0], [1], [2, 3]]}}})",
+         "POSITION[2]: a vertex must have 1 to 4 numbers"},
         {R"({"geometry": {"vertices": {"POSITION": [[0], [1], [2]]}, "indices": [0, 1, 3]}})",
-         "indices[2]: this is a whole"},
-        {R"({)", "this is no JSON"},
-        {"", "this is no JSON"},
+         "indices[2]: this must be a whole"},
+        {R"({)", "this is not JSON"},
+        {"", "this is not JSON"},
     };
     for (const auto& [text, expected] : mistakes) {
-        const std::string said = complaint(text);
-        EXPECT_NE(said.find(expected), std::string::npos) << text << "\n" << said;
-        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+        const std::string message = errorOf(text);
+        EXPECT_NE(message.find(expected), std::string::npos) << text << "\n" << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
 }
 
@@ -143,10 +146,10 @@ std::string products(int depth) {
 
 TEST_F(FixtureFile, ProductsAreNestedSixteenDeepAndNoDeeper) {
     EXPECT_TRUE(read(products(16)).has_value());
-    EXPECT_NE(complaint(products(17)).find("products are nested 16 deep at most"), std::string::npos);
+    EXPECT_NE(errorOf(products(17)).find("products nest at most 16 deep"), std::string::npos);
 }
 
-// Deep enough to run off the end of the stack, were anything to follow it all the way down.
+// Deep enough to overflow the stack of a recursive reader.
 TEST_F(FixtureFile, DeepNestingIsRefusedWhereverItStands) {
     const std::string expected = "brackets and braces are nested more than 64 deep";
     constexpr int depth = 200000;
@@ -154,7 +157,7 @@ TEST_F(FixtureFile, DeepNestingIsRefusedWhereverItStands) {
          {products(depth), repeated(R"({"product":[)", depth), repeated("[", depth), repeated(R"({"a":)", depth),
           R"({"size": )" + repeated("[", depth) + repeated("]", depth) + "}",
           R"({"format": )" + repeated(R"({"a":)", depth) + "1" + repeated("}", depth) + "}"})
-        EXPECT_EQ(complaint(text).substr(0, expected.size()), expected);
+        EXPECT_EQ(errorOf(text).substr(0, expected.size()), expected);
 }
 
 TEST_F(FixtureFile, AFolderIsCalledOne) {
@@ -166,7 +169,7 @@ TEST_F(FixtureFile, AFolderIsCalledOne) {
 
 TEST_F(FixtureFile, AMissingFileIsNamed) {
     EXPECT_EQ(readFixture(folder.at("none.json")).error().message,
-              folder.at("none.json") + ": cannot be read; name a fixture file that is there");
+              folder.at("none.json") + ": cannot be read; name an existing fixture file");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A folder of one test's own, gone when the test is.
+// A temporary folder that is removed after the test.
 #pragma once
 
 #include <filesystem>

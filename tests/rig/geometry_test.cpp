@@ -1,4 +1,4 @@
-// Built-in shapes by their laws: closed, facing outwards, of the promised extent.
+// Properties of the built-in shapes: closed, facing outwards, of the documented size.
 #include "geometry.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,8 @@ TEST(Geometry, SolidsFaceOutwardsClockwise) {
             EXPECT_LE(glm::dot(glm::cross(b - a, c - a), a + b + c), 1e-12);
             EXPECT_GT(glm::dot(vector3(geometry, "NORMAL0", geometry.indices[i]), a), 0.9);
         }
-        // The divergence theorem: a closed surface has its volume; a sphere of facets a little less than 4 pi / 3.
+        // The divergence theorem: the integral over a closed surface is its volume; a faceted sphere has a little less
+        // than 4 pi / 3.
         EXPECT_NEAR(-volume, shape == Shape::Cube ? 8.0 : 4.18879, shape == Shape::Cube ? 1e-12 : 0.1);
     }
 }

@@ -1,4 +1,4 @@
-// A golden is made by an explicit switch alone, and no run that makes one passes.
+// Only the explicit switch makes a golden, and a run that makes one fails.
 #include <gtest/gtest.h>
 #include <rig/golden.h>
 

@@ -1,4 +1,4 @@
-// Image files keep every bit, and the same image makes the same file.
+// Image files keep every bit, and equal images give equal files.
 #include <gtest/gtest.h>
 #include <rig/image.h>
 
@@ -55,7 +55,8 @@ TEST(ImageFile, PngComesBackAsStored) {
 
 TEST(ImageFile, WhatCannotBeReadOrWrittenIsSaidInOneSentence) {
     const test::Folder folder;
-    EXPECT_EQ(readImage(folder.at("x.exr")).error().message, folder.at("x.exr") + ": cannot be read: there is no such file");
+    EXPECT_EQ(readImage(folder.at("x.exr")).error().message,
+              folder.at("x.exr") + ": cannot be read: there is no such file");
     test::writeText(folder.at("bad.exr"), "no image");
     EXPECT_NE(readImage(folder.at("bad.exr")).error().message.find("cannot be read"), std::string::npos);
     const auto written = writeExr(folder.at("missing/x.exr"), blankImage(1, 1, 1));

@@ -1,5 +1,5 @@
-// Faults planted in the example effect, one at a time: the rig names the technique and the pass, shows the picture,
-// and blames no other technique.
+// Mutations of the example effect, one at a time: the rig names the technique and the pass, shows the picture, and
+// fails no other technique.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,7 +23,7 @@ struct PlantedFault : testing::Test {
     Ran tryOutWith(const std::string& from, const std::string& to) {
         return tryOut(compileEffect(folder.path(), "cel", replaced(readText(kEffect), from, to)));
     }
-    /// Its one entry of that check, by technique and pass.
+    /// The report's entry of that technique, pass and check.
     nlohmann::json entry(const std::string& technique, const std::string& pass, const std::string& check) {
         for (const auto& at : std::filesystem::directory_iterator(report + "/entries")) {
             const auto json = nlohmann::json::parse(readText(at.path() / "entry.json"));
@@ -116,14 +116,14 @@ TEST_F(PlantedFault, AFrozenModuleThatIsAnotherTechniques) {
 
 TEST_F(PlantedFault, AResourceThatIsSaidToBeDeadAndIsNot) {
     const std::string manifest = compileEffect(folder.path(), "cel", readText(kEffect));
-    // five_bands_paper without its paper, in the list and in the frozen module; the switches still ask for it.
+    // five_bands_paper without its paper, in the list and in the frozen module; the switches still select it.
     auto json = nlohmann::ordered_json::parse(readText(manifest));
     json["techniques"][2]["passes"][0]["live"] = {"Globals"};
     writeText(frozenPixel(manifest, 2), readText(frozenPixel(manifest, 0)));
     writeText(manifest, json.dump(2));
     const Ran ran = tryOut(manifest);
     EXPECT_EQ(ran.status, 1);
-    EXPECT_NE(ran.text.find("five_bands_paper: liveness of PaperSampler: PaperSampler is not live, and yet"),
+    EXPECT_NE(ran.text.find("five_bands_paper: liveness of PaperSampler: PaperSampler is not live, but another"),
               std::string::npos)
         << ran.text;
     entry("five_bands_paper", "", "liveness of PaperSampler");

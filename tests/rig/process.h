@@ -1,4 +1,4 @@
-// Runs a program and keeps what it says.
+// Runs a program and keeps its output.
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ struct Ran {
 Ran runProgram(const std::vector<std::string>& words);
 
 /// Compiles the effect's text, frozen modules included, to `folder`/`name`.fx.json, whose path it returns. Throws
-/// with permgen's words where it does not compile.
+/// permgen's message if it does not compile.
 std::string compileEffect(const std::string& folder, const std::string& name, const std::string& text,
                           const std::vector<std::string>& options = {});
 
-/// Replaces the one occurrence; throws where there is none or are several.
+/// Replaces the one occurrence; throws if there are none or several.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 
 }  // namespace tyndall::test

@@ -1,4 +1,4 @@
-// permgen-rig's command line, and what it answers to what cannot be tried.
+// permgen-rig's command line and its error messages.
 #include <gtest/gtest.h>
 #include <rig/image.h>
 
@@ -72,7 +72,7 @@ TEST_F(Program, PassesWithoutGoldensAndTriesOneTechniqueAlone) {
     EXPECT_EQ(one.text.find("plain"), std::string::npos) << one.text;
 }
 
-// What the fixture says is what is drawn: the tint, and a picture whose first texel is black and whose cells are two
+// The picture shows the fixture's values: the tint, and a picture whose first texel is black and whose cells are two
 // pixels wide.
 TEST_F(Program, DrawsWhatTheFixtureSays) {
     EXPECT_EQ(rig({manifest, fixture, "--goldens", goldens, "--update-goldens"}).status, 1);
@@ -95,7 +95,7 @@ TEST_F(Program, FormatsAreDrawnAndHeldWithTheirOwnTolerance) {
         const std::string own = folder.at("goldens-" + format);
         EXPECT_EQ(rig({manifest, fixture, "--goldens", own, "--update-goldens"}).status, 1);
         EXPECT_EQ(rig({manifest, fixture, "--goldens", own}).status, 0);
-        // 0.25 is a half float, and 63.75 of 255.
+        // 0.25 is exact as a half float, and 63.75 of 255.
         EXPECT_EQ(rig::readImage(own + "/plain.exr")->at(0, 0, 2), format == "rgba8" ? 64.0f / 255.0f : 0.25f);
         writeText(fixture, replaced(readText(fixture), "0.25, 1]}", "0.27, 1]}"));
         EXPECT_EQ(rig({manifest, fixture, "--goldens", own}).status, 1);
@@ -106,7 +106,7 @@ TEST_F(Program, AResourceThatShowsNothingIsNoted) {
     writeText(fixture, replaced(kFixture, "[1, 0.5, 0.25, 1]", "[0, 0, 0, 0]"));
     const Ran ran = rig({manifest, fixture});
     EXPECT_EQ(ran.status, 0) << ran.text;
-    EXPECT_NE(ran.text.find("note: PictureSampler is live, and yet nothing changes with it"), std::string::npos)
+    EXPECT_NE(ran.text.find("note: PictureSampler is live, but changing it changes no value"), std::string::npos)
         << ran.text;
 }
 
@@ -127,10 +127,10 @@ TEST_F(Program, AnImageFileIsATexture) {
     ASSERT_TRUE(picture.has_value()) << picture.error().message;
     EXPECT_EQ(picture->at(0, 0, 0), 0.0f);
     EXPECT_EQ(picture->at(7, 7, 0), 0.5f);
-    EXPECT_EQ(picture->at(0, 0, 3), 1.0f);  // what has no alpha is opaque
+    EXPECT_EQ(picture->at(0, 0, 3), 1.0f);  // images without alpha are opaque
 }
 
-// Two targets stand one below the other; a pass that writes one of them, or none, leaves the rest alone.
+// Two targets are one below the other; a pass leaves the targets unchanged that it does not write.
 TEST_F(Program, SeveralTargetsAndPassesThatWriteFewerOfThem) {
     const std::string two = compileEffect(folder.at("two"), "two", R"(
         struct Both { float4 a : COLOR0; float4 b : COLOR1; };
@@ -157,7 +157,7 @@ TEST_F(Program, SeveralTargetsAndPassesThatWriteFewerOfThem) {
     }
 }
 
-// Without attributes, without resources, without a fixed number of turns.
+// An effect without attributes and resources, with a loop of variable length.
 TEST_F(Program, AnEffectThatReadsNothingIsDrawn) {
     const std::string nothing = compileEffect(folder.at("nothing"), "nothing", R"(
         float4 vs_main() : POSITION { return float4(0, 0, 0, 1); }
@@ -187,14 +187,14 @@ TEST_F(Program, FixturesThatDoNotFitTheEffectAreRefused) {
                          "constants.gTnit: tint has no such constant; did you mean gTint?");
     expectFixtureRefused(R"({"constants": {"gTint": [1, 1, 1]}})",
                          "constants.gTint: it is a float4: give 4 numbers, not 3");
-    expectFixtureRefused(R"({})", "textures.PictureSampler: picture reads it, and the fixture gives it no texture");
+    expectFixtureRefused(R"({})", "textures.PictureSampler: picture reads it, but the fixture gives it no texture");
     expectFixtureRefused(R"({"textures": {"PictureSample": {"generate": "noise"}}})",
                          "textures.PictureSample: tint has no such sampler; did you mean PictureSampler?");
     expectFixtureRefused(R"({"textures": {"PictureSampler": {"image": "none.png"}}})", "none.png: cannot be read");
     expectFixtureRefused(R"({"textures": {"PictureSampler": {"generate": "noise"}},
                              "geometry": {"vertices": {"POSITION": [[0, 0], [1, 0], [0, 1]]}}})",
-                         "reads TEXCOORD0, and the vertices have POSITION0");
-    expectFixtureRefused("{", "this is no JSON");
+                         "reads TEXCOORD0, but the vertices have POSITION0");
+    expectFixtureRefused("{", "this is not JSON");
 }
 
 TEST_F(Program, WithoutFrozenModulesNothingIsTried) {
@@ -205,7 +205,7 @@ TEST_F(Program, WithoutFrozenModulesNothingIsTried) {
 
 TEST_F(Program, ACubeMapThatIsReadIsRefusedAndOneThatIsNotIsNoMatter) {
     const std::string sky = compileEffect(folder.at("sky"), "tint", std::string(kEffect) + kSky);
-    expectRefused({sky, fixture}, "textures.SkySampler: sky reads it, and it is a samplerCUBE");
+    expectRefused({sky, fixture}, "textures.SkySampler: sky reads it, but it is a samplerCUBE");
     EXPECT_EQ(rig({sky, fixture, "--technique", "picture"}).status, 0);
 }
 
@@ -225,7 +225,7 @@ TEST_F(Program, AReportThatCannotBeWrittenIsSaid) {
                   "the report cannot be written");
     writeText(folder.at("garden/index.html"), "My garden");
     expectRefused({manifest, fixture, "--goldens", goldens, "--report", folder.at("garden")},
-                  "its index.html is no page of failing comparisons");
+                  "its index.html is not a page of failing comparisons");
     EXPECT_EQ(listing(folder.at("garden")), "index.html\n");
 }
 

@@ -1,4 +1,4 @@
-// What a failure leaves behind, and what a pass takes away.
+// A failure adds its entry to the report; a pass removes it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <rig/report.h>
@@ -88,7 +88,7 @@ TEST(Report, ThePageHoldsEverythingItShows) {
     EXPECT_EQ(count(page, "<img "), 4u);
     EXPECT_EQ(count(page, "src=\"data:image/png;base64,iVBOR"), 4u);
     EXPECT_EQ(count(page, "src="), 4u);
-    EXPECT_EQ(count(page, "href="), 3u);  // to the articles below
+    EXPECT_EQ(count(page, "href="), 3u);  // links to the articles below
     EXPECT_EQ(count(page, "href=\"#"), 3u);
     for (const char* outside : {"http:", "https:", "<script", "<link", "@import", "url("})
         EXPECT_EQ(count(page, outside), 0u) << outside;
@@ -97,7 +97,7 @@ TEST(Report, ThePageHoldsEverythingItShows) {
     EXPECT_EQ(count(page, "1 &lt; 2 &amp; so on"), 1u);
     EXPECT_EQ(count(page, "run 'this'"), 3u);
     EXPECT_EQ(count(page, "bCookie = true"), 3u);
-    EXPECT_EQ(count(page, "no image to hold it against"), 1u);
+    EXPECT_EQ(count(page, "no image to compare with"), 1u);
 }
 
 TEST(Report, TheSameComparisonFailingAgainReplacesItsEntry) {
@@ -188,15 +188,16 @@ TEST(Report, AStrangersPageIsKept) {
         test::writeText(folder.at("index.html"), page);
         const auto reported = reportFailure(folder.path(), failureOf("lamp"), nullptr, nullptr);
         ASSERT_FALSE(reported.has_value());
-        EXPECT_EQ(reported.error().message, folder.path() +
-                                        ": the report cannot be written: its index.html is no page of failing "
-                                        "comparisons, and would be lost; choose another folder");
+        EXPECT_EQ(reported.error().message,
+                  folder.path() +
+                      ": the report cannot be written: its index.html is not a page of failing "
+                      "comparisons, and would be lost; choose another folder");
         EXPECT_EQ(test::listing(folder.path()), "index.html\n");
         EXPECT_EQ(test::readText(folder.at("index.html")), page);
     }
 }
 
-// Put there after a report was: what passes then must not cost it either.
+// A page put there after the report is not overwritten by a later pass either.
 TEST(Report, AStrangersPageIsKeptWhenAFailurePasses) {
     const Folder folder;
     ASSERT_TRUE(reportFailure(folder.path(), failureOf("lamp"), nullptr, nullptr).has_value());
@@ -205,10 +206,10 @@ TEST(Report, AStrangersPageIsKeptWhenAFailurePasses) {
     EXPECT_EQ(test::readText(folder.at("index.html")), "My garden");
 }
 
-// ctest runs many test processes at once. Whoever reports last has written a page that shows everybody's.
+// ctest runs many test processes at once. The last process writes a page with the entries of all.
 TEST(Report, ProcessesThatReportAtOnceLoseNothing) {
     const Folder folder;
-    constexpr int processes = 4, each = 5;  // of which each takes its first back
+    constexpr int processes = 4, each = 5;  // each process removes its first entry
     std::string command;
     for (int p = 0; p < processes; ++p)
         command += shellCommand({REPORT_WORKER, folder.path(), "t" + std::to_string(p) + "_", std::to_string(each)}) +
@@ -219,7 +220,7 @@ TEST(Report, ProcessesThatReportAtOnceLoseNothing) {
     EXPECT_EQ(test::listing(folder.path()).find(".partial"), std::string::npos);
 }
 
-// An entry written between another process's look at the entries and its page would be missing from that page.
+// Without the lock, an entry written after another process has read the entries would be missing from its page.
 TEST(Report, WaitsForWhoeverHoldsTheFolder) {
     const Folder folder;
     std::filesystem::create_directory(folder.at("entries"));

@@ -1,5 +1,5 @@
-// One of several processes that report into one folder at a time: FOLDER NAME COUNT reports COUNT failures and takes
-// the first back.
+// One of several processes that report into one folder at a time: FOLDER NAME COUNT reports COUNT failures and removes
+// the first.
 #include <rig/report.h>
 
 #include <cstdlib>

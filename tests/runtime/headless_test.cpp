@@ -95,7 +95,7 @@ TEST(Headless, GivesMemoryBack) {
     const auto device = lavapipe();
     ASSERT_TRUE(device) << device.error().message;
     {
-        auto buffer = Buffer::create(*device, 1000, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryPlace::Device, "a");
+        auto buffer = Buffer::create(*device, 1000, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::Device, "a");
         ASSERT_TRUE(buffer) << buffer.error().message;
         EXPECT_TRUE(buffer->mapped().empty());
         const auto held = device->memoryAllocated();
@@ -116,7 +116,7 @@ TEST(Headless, ObjectsMayOutliveTheirDevice) {
     {
         const auto device = lavapipe();
         ASSERT_TRUE(device) << device.error().message;
-        auto made = Buffer::create(*device, 16, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryPlace::Host);
+        auto made = Buffer::create(*device, 16, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::Host);
         ASSERT_TRUE(made) << made.error().message;
         buffer = std::move(*made);
     }
@@ -138,8 +138,8 @@ TEST(Headless, CollectsASynchronizationHazardWithTheObjectsNames) {
     auto device = lavapipe(true);
     ASSERT_TRUE(device) << device.error().message;
     constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    const auto from = Buffer::create(*device, 64, usage, MemoryPlace::Host, "hazard source");
-    const auto to = Buffer::create(*device, 64, usage, MemoryPlace::Host, "hazard target");
+    const auto from = Buffer::create(*device, 64, usage, MemoryKind::Host, "hazard source");
+    const auto to = Buffer::create(*device, 64, usage, MemoryKind::Host, "hazard target");
     const auto done = submitAndWait(*device, [&](VkCommandBuffer commands) {
         const VkBufferCopy copy{0, 0, 64};
         vkCmdCopyBuffer(commands, from->handle(), to->handle(), 1, &copy);
@@ -156,8 +156,8 @@ TEST(Headless, FullBarrierOrdersCopies) {
     const auto device = lavapipe();
     ASSERT_TRUE(device) << device.error().message;
     constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    const auto from = Buffer::create(*device, 64, usage, MemoryPlace::Host);
-    const auto to = Buffer::create(*device, 64, usage, MemoryPlace::Host);
+    const auto from = Buffer::create(*device, 64, usage, MemoryKind::Host);
+    const auto to = Buffer::create(*device, 64, usage, MemoryKind::Host);
     const auto done = submitAndWait(*device, [&](VkCommandBuffer commands) {
         const VkBufferCopy copy{0, 0, 64};
         vkCmdCopyBuffer(commands, from->handle(), to->handle(), 1, &copy);
@@ -264,7 +264,7 @@ TEST(HeadlessErrors, UploadsOfTheWrongSize) {
     const auto uploaded = upload(*device, *image, std::vector<std::byte>(63));
     ASSERT_FALSE(uploaded);
     EXPECT_EQ(uploaded.error().message, "the image takes 64 bytes, 63 were given");
-    EXPECT_FALSE(Buffer::create(*device, 0, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryPlace::Host));
+    EXPECT_FALSE(Buffer::create(*device, 0, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::Host));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // Passes of an unrelated effect, drawn with the runtime's public pipelines.
 #include <headless/buffer.h>
 #include <painting.fx.h>
-#include <tyndall/rendering.h>
 #include <tyndall/pass_pipelines.h>
+#include <tyndall/rendering.h>
 
 #include "record_scene.h"
 

@@ -102,11 +102,13 @@ TEST_P(PrepareBy, RecordingMakesNoPipelineAnyMore) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, PrepareBy,
                          testing::Combine(testing::Values(Shaders::Frozen, Shaders::Specialized),
-                                          testing::Values(LoopCase{"OnThisThread", {}}, LoopCase{"OnThreads", onThreads},
+                                          testing::Values(LoopCase{"OnThisThread", {}},
+                                                          LoopCase{"OnThreads", onThreads},
                                                           LoopCase{"TwiceOnThreads", twice})),
                          [](const auto& test) {
                              const bool frozen = std::get<Shaders>(test.param) == Shaders::Frozen;
-                             return std::string(frozen ? "Frozen" : "Specialized") + std::get<LoopCase>(test.param).name;
+                             return std::string(frozen ? "Frozen" : "Specialized") +
+                                    std::get<LoopCase>(test.param).name;
                          });
 
 TEST_F(Prepare, MakesOnlyWhatIsNeeded) {
@@ -144,7 +146,8 @@ TEST_F(Prepare, ALoopThatLeavesJobsOutIsToldSo) {
         job(count);  // beyond the end: nothing happens
     });
     ASSERT_FALSE(prepared);
-    EXPECT_NE(prepared.error().message.find("left out pipeline 4 of " + std::to_string(TermSet::count + 2)), std::string::npos);
+    EXPECT_NE(prepared.error().message.find("left out pipeline 4 of " + std::to_string(TermSet::count + 2)),
+              std::string::npos);
     EXPECT_EQ(renderer.counters().pipelinesCreated, TermSet::count + 1u);
     must(renderer.prepare(needs()));
     EXPECT_EQ(renderer.counters().pipelinesCreated, TermSet::count + 2u);

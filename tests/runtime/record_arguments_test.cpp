@@ -162,7 +162,7 @@ TEST_F(RecordArguments, ShadowMapsOfImpossibleLightsOrMeshes) {
     expectError(attempt(lamp(), occluder, map, 8), ErrorCode::InvalidArgument, "no vertex or index buffer");
     const auto buffer = must(
         headless::Buffer::create(gpu().device, 64, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-                                 headless::MemoryPlace::Host));
+                                 headless::MemoryKind::Host));
     occluder.vertices = occluder.indices = buffer.handle();
     occluder.vertexStride = 10;
     expectError(attempt(lamp(), occluder, map, 8), ErrorCode::InvalidArgument, "10 bytes apart");

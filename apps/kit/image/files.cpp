@@ -1,4 +1,4 @@
-#include <emit/write_files.h>
+#include <common/write_files.h>
 #include <kit/image/files.h>
 #include <unistd.h>
 
@@ -10,7 +10,7 @@
 namespace tyndall {
 namespace {
 
-/// Where the links that `path` may be lead: links to come and links that point at nothing included.
+/// The file that `path` leads to through symbolic links; the file need not exist.
 Result<std::filesystem::path> written(const std::string& path) {
     constexpr int maxLinks = 40;  // as many as Linux follows
     std::filesystem::path at(path);
@@ -21,10 +21,10 @@ Result<std::filesystem::path> written(const std::string& path) {
         if (error) return at;
         at = next.is_absolute() ? next : at.parent_path() / next;
     }
-    return fail("{}: is a link that leads round in a circle; choose another place", path);
+    return fail(ErrorCode::File, "{}: is a symbolic link in a cycle; choose another place", path);
 }
 
-/// Beside the file, to try whether its folder can be written.
+/// A temporary name beside the file, to test whether its folder can be written.
 std::string besidePath(const std::filesystem::path& whole) {
     return (whole.parent_path() / fmt::format(".{}.{}.partial", whole.filename().string(), ::getpid())).string();
 }
@@ -35,15 +35,17 @@ Result<void> checkWritable(const std::string& path) {
     std::error_code error;
     const auto target = written(path);
     if (!target) return tl::unexpected(target.error());
-    if (std::filesystem::is_directory(*target, error)) return fail("{}: is a folder; name a file", path);
-    // The rename that ends the writing would put a plain file in a device's or a pipe's place.
+    if (std::filesystem::is_directory(*target, error))
+        return fail(ErrorCode::File, "{}: is a folder; name a file", path);
+    // The final rename would replace a device or a pipe with a plain file.
     if (std::filesystem::exists(*target, error) && !std::filesystem::is_regular_file(*target, error))
-        return fail("{}: is no plain file; choose another place", path);
+        return fail(ErrorCode::File, "{}: is not a plain file; choose another place", path);
     const std::string partial = besidePath(*target);
     errno = 0;
     const bool opened = std::ofstream(partial).is_open();
     const int reason = errno;
-    if (!opened) return fail("{}: cannot be written: {}; choose another place", path, std::strerror(reason));
+    if (!opened)
+        return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, std::strerror(reason));
     std::filesystem::remove(partial, error);
     return {};
 }
@@ -59,13 +61,14 @@ bool sameFile(const std::string& a, const std::string& b) {
 Result<void> writeFile(const std::string& path, std::string_view bytes) {
     const auto target = written(path);
     if (!target) return tl::unexpected(target.error());
-    // write_files() makes missing folders; here a folder that is not there is a mistake in the path.
+    // write_files() makes missing folders; here a missing folder is a mistake in the path.
     const std::filesystem::path folder = target->has_parent_path() ? target->parent_path() : ".";
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
-        return fail("{}: cannot be written: {} is no folder; choose another place", path, folder.string());
-    const std::string why = permgen::write_files({{target->string(), std::string(bytes)}});
-    if (!why.empty()) return fail("{}: cannot be written: {}; choose another place", path, why);
+        return fail(ErrorCode::File, "{}: cannot be written: {} is not a folder; choose another place", path,
+                    folder.string());
+    if (const auto done = permgen::write_files({{target->string(), std::string(bytes)}}); !done)
+        return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, done.error().message);
     return {};
 }
 

@@ -1,4 +1,4 @@
-// The float image of all programs here, and what they ask of it.
+// The float image of all programs here.
 #pragma once
 
 #include <study/image.h>
@@ -12,10 +12,10 @@ namespace tyndall {
 
 using study::Image;
 
-/// Longest side of a picture: what Vulkan devices of today offer at least for render targets.
+/// Longest side of a picture: the smallest limit for render targets among today's Vulkan devices.
 constexpr std::uint32_t longestSide = 16384;
 
-/// An image without content yet: every value 0.
+/// An image with every value 0.
 Image blankImage(int width, int height, int channels);
 
 /// The reference's radiance in floats, RGB.
@@ -33,7 +33,7 @@ void setRgba(Image& image, std::size_t pixel, const glm::vec4& value);
 /// How many pixels hold NaN or infinity, and where the first one is.
 struct BadPixels {
     std::size_t count = 0;
-    int x = 0, y = 0;  ///< of the first, from the top left
+    int x = 0, y = 0;  ///< of the first such pixel, from the top left
 };
 
 BadPixels findBadPixels(const Image& image);

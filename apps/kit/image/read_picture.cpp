@@ -14,18 +14,19 @@ namespace tyndall {
 namespace {
 
 constexpr int maxChannels = 64;
-/// 4 GiB of floats: a broken header of a few bytes must not ask for all memory there is.
+/// 4 GiB of floats: a broken header of a few bytes must not allocate all memory.
 constexpr std::size_t maxValues = std::size_t{1} << 30;
 
-/// The image library's name of the format that the first bytes announce.
+/// The image library's name of the format, found from the file's first bytes.
 Result<const char*> formatOf(const std::string& path) {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return fail("{}: is a folder; name a picture", path);
+    if (std::filesystem::is_directory(path, error))
+        return fail(ErrorCode::File, "{}: is a folder; name a picture", path);
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-        return fail("{}: is no plain file; name a picture", path);
+        return fail(ErrorCode::File, "{}: is not a plain file; name a picture", path);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
-    if (!file) return fail("{}: cannot be read: {}; check the path", path, std::strerror(errno));
+    if (!file) return fail(ErrorCode::File, "{}: cannot be read: {}; check the path", path, std::strerror(errno));
     std::array<char, 4> start{};
     file.read(start.data(), start.size());
     if (std::memcmp(start.data(), "\x76\x2f\x31\x01", 4) == 0) return "openexr";
@@ -33,7 +34,7 @@ Result<const char*> formatOf(const std::string& path) {
     return fail("{}: is neither OpenEXR nor PNG; convert it to one of them", path);
 }
 
-/// What the image library says, as the part of a sentence.
+/// The image library's message, as a part of a sentence.
 std::string reason(OIIO::ImageInput& file) {
     std::string text = file.geterror();
     text = text.substr(0, text.find('\n'));
@@ -41,9 +42,7 @@ std::string reason(OIIO::ImageInput& file) {
 }
 
 Result<void> checkLayout(const std::string& path, const OIIO::ImageSpec& spec, bool severalParts) {
-    if (severalParts)
-        return fail("{}: holds several parts, and which one is meant is not said; extract it into a file of its own",
-                    path);
+    if (severalParts) return fail("{}: has several parts; extract one part into a file of its own", path);
     if (spec.deep) return fail("{}: holds deep samples; flatten it first", path);
     const int side = static_cast<int>(longestSide);
     if (spec.width < 1 || spec.height < 1 || spec.width > side || spec.height > side)
@@ -67,7 +66,7 @@ Result<std::string> exrEncoding(const std::string& path, const OIIO::ImageSpec& 
     for (int c = 0; c < spec.nchannels; ++c) {
         const OIIO::TypeDesc type = spec.channelformat(c);
         if (type != OIIO::TypeDesc::HALF && type != OIIO::TypeDesc::FLOAT)
-            return fail("{}: its channel {} holds whole numbers, not light; leave it out", path, spec.channel_name(c));
+            return fail("{}: its channel {} holds integers, not light; leave it out", path, spec.channel_name(c));
         half = half && type == OIIO::TypeDesc::HALF;
         single = single && type == OIIO::TypeDesc::FLOAT;
     }
@@ -86,12 +85,12 @@ Result<ReadPicture> readPicture(const std::string& path) {
     if (!format) return tl::unexpected(format.error());
     const bool png = std::string_view(*format) == "png";
     auto file = OIIO::ImageInput::create(*format);
-    if (!file) return fail("{}: cannot be read: {}", path, OIIO::geterror());
+    if (!file) return fail(ErrorCode::File, "{}: cannot be read: {}", path, OIIO::geterror());
     OIIO::ImageSpec spec, settings;
     settings.attribute("oiio:UnassociatedAlpha", 1);  // colours are compared as stored
-    if (!file->open(path, spec, settings)) return fail("{}: cannot be read: {}", path, reason(*file));
+    if (!file->open(path, spec, settings)) return fail(ErrorCode::File, "{}: cannot be read: {}", path, reason(*file));
     const bool severalParts = file->seek_subimage(1, 0);
-    if (!severalParts) file->geterror();  // asked for on purpose
+    if (!severalParts) file->geterror();  // the error is expected
     if (auto checked = checkLayout(path, spec, severalParts); !checked) return tl::unexpected(checked.error());
 
     ReadPicture picture;
@@ -105,7 +104,7 @@ Result<ReadPicture> readPicture(const std::string& path) {
     picture.image = {spec.width, spec.height, spec.nchannels, {}};
     picture.image.values.resize(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
     if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, picture.image.values.data()))
-        return fail("{}: cannot be read: {}; write it again", path, reason(*file));
+        return fail(ErrorCode::File, "{}: cannot be read: {}; write it again", path, reason(*file));
     if (png) decodeSrgb(picture.image, spec.alpha_channel);
     return picture;
 }

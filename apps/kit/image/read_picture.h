@@ -1,8 +1,8 @@
-// Pictures to be compared, out of OpenEXR and PNG files.
+// Reads pictures to compare from OpenEXR and PNG files.
 #pragma once
 
-#include <kit/image/image.h>
 #include <kit/fail.h>
+#include <kit/image/image.h>
 
 #include <string>
 #include <vector>
@@ -15,10 +15,10 @@ struct ReadPicture {
     std::string encoding;               ///< "32-bit float", or how values became linear; for people
 };
 
-/// By content, whatever the extension. EXR: half or float, scanlines or tiles (the finest level), values as
-/// they are. PNG: 8 or 16 bits, colour and grey decoded from sRGB, alpha left alone and not multiplied in.
+/// The content decides the format, not the extension. EXR: half or float, scanlines or tiles (the finest level), values
+/// unchanged. PNG: 8 or 16 bits, colour and grey decoded from sRGB, alpha unchanged and not multiplied in.
 /// Errors, each with the path: no such file, neither format, broken; an EXR that is deep, has several parts,
-/// channels of whole numbers, or a data window that is not its display window; a side over longestSide.
+/// integer channels, or a data window that is not its display window; a side over longestSide.
 Result<ReadPicture> readPicture(const std::string& path);
 
 }  // namespace tyndall

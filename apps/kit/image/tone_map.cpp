@@ -10,7 +10,7 @@ namespace {
 constexpr double key = 0.18;
 /// Exposed value that becomes white: 22 times the key, about four and a half stops above it.
 constexpr double white = 4.0;
-/// Darker than this share of the brightest pixel is empty background, and says nothing about exposure.
+/// Pixels darker than this share of the brightest pixel are background and do not count for the exposure.
 constexpr double unlit = 1e-5;
 
 double luminance(const glm::vec3& p) {

@@ -1,4 +1,4 @@
-// From radiance to what a screen shows.
+// From radiance to displayed values.
 //
 // A pixel is multiplied by the exposure and each channel c goes through Reinhard's extended operator,
 // c (1 + c / w^2) / (1 + c), which keeps dark values as they are and brings w to white; then the sRGB
@@ -21,8 +21,8 @@ double automaticExposure(const Image& picture);
 /// One channel, linear in [0, 1].
 double toneMap(double radiance, double exposureStops);
 
-/// Radiance of the smallest difference that the display shows at that exposure: the 256th part of its range where it is
-/// steepest, in the dark.
+/// Radiance of the smallest difference that the display shows at that exposure: 1/256 of its range at the steepest
+/// part of the curve, in the dark.
 double displayStep(double exposureStops);
 
 /// RGB bytes. Absent stops: automaticExposure().

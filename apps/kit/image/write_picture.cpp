@@ -22,15 +22,15 @@ Result<void> writeRaster(const std::string& path, const Raster& raster) {
     OIIO::Filesystem::IOVecOutput bytes;
     const bool png = raster.type == OIIO::TypeDesc::UINT8;
     auto file = OIIO::ImageOutput::create(png ? "png" : "openexr");
-    if (!file) return fail("{}: cannot be written: {}", path, OIIO::geterror());
+    if (!file) return fail(ErrorCode::File, "{}: cannot be written: {}", path, OIIO::geterror());
     OIIO::ImageSpec spec(raster.width, raster.height, static_cast<int>(raster.channels.size()), raster.type);
     spec.channelnames = raster.channels;
-    spec.attribute("DateTime", "");  // or the library writes the present one, and no two files are alike
+    spec.attribute("DateTime", "");  // the library would write the current time, and no two files would be equal
     spec.attribute("oiio:ColorSpace", png ? "sRGB" : "Linear");
     if (!png) spec.attribute("compression", "zip");
     if (!file->set_ioproxy(&bytes) || !file->open(png ? "memory.png" : "memory.exr", spec) ||
         !file->write_image(raster.type, raster.pixels) || !file->close())
-        return fail("{}: cannot be written: {}; choose another place", path, file->geterror());
+        return fail(ErrorCode::File, "{}: cannot be written: {}; choose another place", path, file->geterror());
     const auto& whole = bytes.buffer();
     return writeFile(path, {reinterpret_cast<const char*>(whole.data()), whole.size()});
 }

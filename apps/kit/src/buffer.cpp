@@ -8,11 +8,10 @@
 
 namespace headless {
 
-Result<Buffer> Buffer::create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, MemoryPlace place,
+Result<Buffer> Buffer::create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, MemoryKind kind,
                               std::string_view name) {
     if (size == 0)
-        return tl::unexpected(
-            Error{ErrorCode::InvalidArgument, "a buffer needs at least one byte, this one was given 0", VK_SUCCESS});
+        return tl::unexpected(Error{ErrorCode::InvalidArgument, "a buffer needs at least one byte, not 0", VK_SUCCESS});
     Buffer buffer;
     buffer.core_ = device.core();
     buffer.size_ = size;
@@ -27,15 +26,15 @@ Result<Buffer> Buffer::create(const Device& device, VkDeviceSize size, VkBufferU
     VkMemoryRequirements requirements;
     vkGetBufferMemoryRequirements(handle, buffer.buffer_, &requirements);
     const VkMemoryPropertyFlags wanted =
-        place == MemoryPlace::Host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
-                                   : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+        kind == MemoryKind::Host ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
+                                 : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
     auto memory = allocate(*buffer.core_, requirements, wanted);
     if (!memory) return tl::unexpected(memory.error());
     buffer.memory_ = memory->memory;
     buffer.allocated_ = memory->size;
     result = vkBindBufferMemory(handle, buffer.buffer_, buffer.memory_, 0);
     if (result != VK_SUCCESS) return vulkanError("vkBindBufferMemory", result);
-    if (place == MemoryPlace::Host) {
+    if (kind == MemoryKind::Host) {
         void* address = nullptr;
         result = vkMapMemory(handle, buffer.memory_, 0, VK_WHOLE_SIZE, 0, &address);
         if (result != VK_SUCCESS) return vulkanError("vkMapMemory", result);
@@ -47,7 +46,7 @@ Result<Buffer> Buffer::create(const Device& device, VkDeviceSize size, VkBufferU
 
 Result<Buffer> Buffer::create(const Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
                               std::string_view name) {
-    auto buffer = create(device, bytes.size(), usage, MemoryPlace::Host, name);
+    auto buffer = create(device, bytes.size(), usage, MemoryKind::Host, name);
     if (buffer) std::copy(bytes.begin(), bytes.end(), buffer->mapped().begin());
     return buffer;
 }

@@ -25,7 +25,7 @@ Result<void> createDevice(DeviceCore& core, const DeviceOptions& options) {
     VkPhysicalDeviceVulkan12Features features12{};
     features12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
     features12.pNext = &features13;
-    features12.separateDepthStencilLayouts = VK_TRUE;  // there on every Vulkan 1.3 device
+    features12.separateDepthStencilLayouts = VK_TRUE;  // every Vulkan 1.3 device has it
     VkPhysicalDeviceFeatures2 features{};
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     features.pNext = &features12;

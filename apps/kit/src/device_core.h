@@ -1,4 +1,4 @@
-// The Vulkan objects behind a Device, destroyed when the last object made from it is gone.
+// The Vulkan objects behind a Device, destroyed together with the last object made from it.
 #pragma once
 
 #include <headless/device.h>
@@ -11,7 +11,7 @@
 namespace headless {
 
 struct DeviceCore {
-    MessageLog log;  // first: the messenger writes into it until the instance is gone
+    MessageLog log;  // first: the messenger writes into it until the instance is destroyed
     VkInstance instance = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;

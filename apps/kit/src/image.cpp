@@ -17,7 +17,7 @@ Result<void> checkInfo(const Device& device, const ImageInfo& info) {
     const std::string size = std::to_string(info.extent.width) + "x" + std::to_string(info.extent.height);
     if (info.extent.width == 0 || info.extent.height == 0 || info.extent.width > limit || info.extent.height > limit)
         return tl::unexpected(Error{ErrorCode::InvalidArgument,
-                                    "an image of " + size + " was asked for; each side must be from 1 to " +
+                                    "an image of " + size + " was requested; each side must be from 1 to " +
                                         std::to_string(limit) + " texels on this device",
                                     VK_SUCCESS});
     VkImageFormatProperties properties;

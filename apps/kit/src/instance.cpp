@@ -55,7 +55,7 @@ Result<void> createInstance(DeviceCore& core, const DeviceOptions& options) {
     if (options.validation) {
         if (!hasLayer(validationLayer) || extensions.empty())
             return tl::unexpected(Error{ErrorCode::UnsupportedDevice,
-                                        "validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not "
+                                        "validation was requested, but the layer VK_LAYER_KHRONOS_validation is not "
                                         "installed; install the Vulkan validation layers or run without them",
                                         VK_ERROR_LAYER_NOT_PRESENT});
         info.enabledLayerCount = 1;

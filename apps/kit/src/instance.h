@@ -4,7 +4,7 @@
 
 namespace headless {
 
-/// Fills core.instance, and core.messenger where validation is on.
+/// Fills core.instance, and core.messenger if validation is on.
 Result<void> createInstance(DeviceCore& core, const DeviceOptions& options);
 
 }  // namespace headless

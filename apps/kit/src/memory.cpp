@@ -18,7 +18,7 @@ Result<Allocation> allocate(DeviceCore& core, const VkMemoryRequirements& requir
     const auto type = memoryType(core.memoryProperties, requirements.memoryTypeBits, wanted);
     if (!type)
         return tl::unexpected(
-            Error{ErrorCode::UnsupportedDevice, "the device has no memory of the kind asked for", VK_SUCCESS});
+            Error{ErrorCode::UnsupportedDevice, "the device has no memory of the requested kind", VK_SUCCESS});
     VkMemoryAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     info.allocationSize = requirements.size;

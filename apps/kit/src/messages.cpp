@@ -23,7 +23,7 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageLog& log) {
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-    // GENERAL is left out: the loader reports drivers of other machines' hardware there.
+    // GENERAL is left out: the loader uses it to report drivers for hardware that is not present.
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
     info.pfnUserCallback = collect;
     info.pUserData = &log;

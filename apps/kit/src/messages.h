@@ -1,4 +1,4 @@
-// What the validation layer says, collected from whichever thread it says it on.
+// Messages of the validation layer, collected from any thread.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

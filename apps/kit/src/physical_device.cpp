@@ -27,7 +27,7 @@ std::optional<std::uint32_t> graphicsFamily(VkPhysicalDevice device) {
     return std::nullopt;
 }
 
-/// What the device lacks; empty where it has everything.
+/// What the device lacks; empty if it lacks nothing.
 std::string lacks(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties, const DeviceOptions& options) {
     if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
     VkPhysicalDeviceVulkan13Features features13{};
@@ -95,7 +95,8 @@ Result<void> choosePhysicalDevice(DeviceCore& core, const DeviceOptions& options
         core.properties = properties;
     }
     if (core.physicalDevice == VK_NULL_HANDLE)
-        return tl::unexpected(Error{ErrorCode::UnsupportedDevice, "no Vulkan device will do: " + reasons, VK_SUCCESS});
+        return tl::unexpected(
+            Error{ErrorCode::UnsupportedDevice, "no Vulkan device is suitable: " + reasons, VK_SUCCESS});
 
     core.queueFamily = *graphicsFamily(core.physicalDevice);
     vkGetPhysicalDeviceMemoryProperties(core.physicalDevice, &core.memoryProperties);

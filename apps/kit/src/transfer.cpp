@@ -48,7 +48,7 @@ Result<void> upload(const Device& device, const Image& image, std::span<const st
 Result<std::vector<std::byte>> readback(const Device& device, const Image& image, VkImageLayout layout) {
     const auto size = imageBytes(image);
     if (!size) return tl::unexpected(size.error());
-    auto staging = Buffer::create(device, *size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryPlace::Host, "readback");
+    auto staging = Buffer::create(device, *size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::Host, "readback");
     if (!staging) return tl::unexpected(staging.error());
     auto done = submitAndWait(device, [&](VkCommandBuffer commands) {
         transition(commands, image, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
@@ -56,7 +56,7 @@ Result<std::vector<std::byte>> readback(const Device& device, const Image& image
         vkCmdCopyImageToBuffer(commands, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging->handle(), 1,
                                &copy);
         transition(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout);
-        // The fence does not make the copy visible to the host; this does.
+        // The fence does not make the copy visible to the host; this barrier does.
         VkMemoryBarrier2 toHost{};
         toHost.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
         toHost.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;

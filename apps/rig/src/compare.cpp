@@ -14,7 +14,7 @@ namespace {
 
 constexpr double floatShare = 2e-5;
 constexpr double byteMax = 3.0, byteUsual = 1.0, byteRareShare = 0.001;
-/// Far more than dividing by 255 loses in binary32, far less than a step.
+/// Far more than the rounding error of a division by 255 in binary32, far less than a step of 1/255.
 constexpr double byteSlack = 1e-4;
 
 using study::PixelIndex;
@@ -30,7 +30,7 @@ std::string words(const Image& image, std::size_t i) {
     return fmt::format("pixel ({}, {}), channel {}", at.x, at.y, at.channel);
 }
 
-/// binary16 in an order in which neighbours differ by 1, with both zeros at 0.
+/// Maps binary16 to integers: neighbours differ by 1, and both zeros are 0.
 int halfOrdinal(float value) {
     const std::uint16_t bits = glm::packHalf1x16(value);
     const int magnitude = bits & 0x7fff;
@@ -48,8 +48,8 @@ std::string whyNotExact(const Image& image, const Image& expected) {
 std::string whyNotFloat(const Image& image, const Image& expected) {
     std::array<double, 4> brightest{};
     for (std::size_t i = 0; i < expected.values.size(); ++i) {
-        double& most = brightest[i % expected.channels];
-        most = std::max(most, std::abs(static_cast<double>(expected.values[i])));
+        double& max = brightest[i % expected.channels];
+        max = std::max(max, std::abs(static_cast<double>(expected.values[i])));
     }
     std::size_t beyond = 0, worst = 0;
     double excess = 0.0;
@@ -74,45 +74,45 @@ std::string whyNotFloat(const Image& image, const Image& expected) {
 
 std::string whyNotHalf(const Image& image, const Image& expected) {
     std::size_t beyond = 0, worst = 0;
-    int most = 1;
+    int maxApart = 1;
     for (std::size_t i = 0; i < image.values.size(); ++i) {
         const int apart = std::abs(halfOrdinal(image.values[i]) - halfOrdinal(expected.values[i]));
         beyond += apart > 1;
-        if (apart > most) {
-            most = apart;
+        if (apart > maxApart) {
+            maxApart = apart;
             worst = i;
         }
     }
     if (beyond == 0) return {};
     return fmt::format(
         "{} of {} values are more than 1 half ULP off; the worst, by {}, is {:.6g} instead of {:.6g} at {}", beyond,
-        image.values.size(), most, image.values[worst], expected.values[worst], words(image, worst));
+        image.values.size(), maxApart, image.values[worst], expected.values[worst], words(image, worst));
 }
 
 std::string whyNotByte(const Image& image, const Image& expected) {
     const std::size_t pixels = static_cast<std::size_t>(image.width) * image.height;
     std::size_t unusual = 0, worst = 0;
-    double most = 0.0;
+    double maxApart = 0.0;
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
         double here = 0.0;
         for (int c = 0; c < image.channels; ++c) {
             const std::size_t i = pixel * image.channels + c;
             const double apart = 255.0 * std::abs(static_cast<double>(image.values[i]) - expected.values[i]);
             here = std::max(here, apart);
-            if (apart > most) {
-                most = apart;
+            if (apart > maxApart) {
+                maxApart = apart;
                 worst = i;
             }
         }
         unusual += here > byteUsual + byteSlack;
     }
-    if (most > byteMax + byteSlack)
-        return fmt::format("a value is {:.3g}/255 off, where {}/255 is the most: {:.6g} instead of {:.6g} at {}", most,
+    if (maxApart > byteMax + byteSlack)
+        return fmt::format("a value is {:.3g}/255 off, the maximum is {}/255: {:.6g} instead of {:.6g} at {}", maxApart,
                            byteMax, image.values[worst], expected.values[worst], words(image, worst));
     if (static_cast<double>(unusual) > byteRareShare * static_cast<double>(pixels))
         return fmt::format(
-            "{} of {} pixels are off by more than {}/255, where {:.1f} % may be; the worst by {:.3g}/255 at {}",
-            unusual, pixels, byteUsual, 100.0 * byteRareShare, most, words(image, worst));
+            "{} of {} pixels are off by more than {}/255, {:.1f} % are allowed; the worst by {:.3g}/255 at {}", unusual,
+            pixels, byteUsual, 100.0 * byteRareShare, maxApart, words(image, worst));
     return {};
 }
 
@@ -141,9 +141,9 @@ std::string whyNotFinite(const Image& image) {
 std::string whyDifferent(const Image& image, const Image& expected, Tolerance tolerance) {
     if (const std::string reason = whyNotFinite(image); !reason.empty()) return reason;
     if (const std::string reason = whyNotFinite(expected); !reason.empty())
-        return "the expected image itself is no measure: " + reason;
+        return "the expected image itself is not finite: " + reason;
     if (!image.sameShape(expected))
-        return fmt::format("the image has {} x {} pixels of {} channels, and {} x {} of {} are expected", image.width,
+        return fmt::format("the image has {} x {} pixels of {} channels, but {} x {} of {} are expected", image.width,
                            image.height, image.channels, expected.width, expected.height, expected.channels);
     switch (tolerance) {
         case Tolerance::Exact:

@@ -48,11 +48,11 @@ double whitePoint(const Image* image, const Image* expected) {
     if (!measure) return 1.0;
     std::vector<double> brightness;
     for (std::size_t pixel = 0; pixel < pixelCount(*measure); ++pixel) {
-        double most = 0.0;
+        double max = 0.0;
         for (int c = 0; c < std::min(measure->channels, 3); ++c)
             if (const float value = measure->values[pixel * measure->channels + c]; std::isfinite(value))
-                most = std::max(most, static_cast<double>(value));
-        brightness.push_back(most);
+                max = std::max(max, static_cast<double>(value));
+        brightness.push_back(max);
     }
     if (brightness.empty()) return 1.0;
     const auto rank =
@@ -85,7 +85,7 @@ Image absoluteDifference(const Image& image, const Image& expected) {
     return apart;
 }
 
-std::vector<std::uint8_t> heatMap(const Image& difference, double most) {
+std::vector<std::uint8_t> heatMap(const Image& difference, double max) {
     std::vector<std::uint8_t> bytes;
     for (std::size_t pixel = 0; pixel < pixelCount(difference); ++pixel) {
         double largest = 0.0;
@@ -94,7 +94,7 @@ std::vector<std::uint8_t> heatMap(const Image& difference, double most) {
         if (!finite(difference, pixel))
             append(bytes, magenta);
         else if (largest > 0.0)
-            append(bytes, heat(largest / most));
+            append(bytes, heat(largest / max));
         else
             append(bytes, {0.0, 0.0, 0.0});
     }

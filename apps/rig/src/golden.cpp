@@ -42,7 +42,7 @@ GoldenVerdict checkGolden(const GoldenStore& store, const std::string& name, con
     }
     if (verdict.passed()) return verdict;
     if (store.update) return update(path, image, std::move(verdict));
-    verdict.reason += fmt::format("; where the picture is right, {} to make it the golden", store.remedy);
+    verdict.reason += fmt::format("; if the picture is right, {} to make it the golden", store.remedy);
     return verdict;
 }
 

@@ -1,5 +1,5 @@
-#include <kit/fail.h>
 #include <OpenImageIO/imageio.h>
+#include <kit/fail.h>
 #include <rig/image.h>
 
 #include <filesystem>
@@ -11,14 +11,14 @@ Result<Image> readImage(const std::string& path) {
     if (!file) {
         std::error_code ignored;
         const bool there = std::filesystem::exists(path, ignored);
-        const std::string reason = OIIO::geterror();  // asked for in any case, or it is printed at the end
+        const std::string reason = OIIO::geterror();  // always read, else OpenImageIO prints it at exit
         return failWith(fmt::format("{}: cannot be read: {}", path, there ? reason : "there is no such file"));
     }
     constexpr int side = static_cast<int>(longestSide);
     const OIIO::ImageSpec& spec = file->spec();
     if (spec.width < 1 || spec.height < 1 || spec.width > side || spec.height > side || spec.depth > 1)
-        return failWith(fmt::format("{}: {} x {} pixels are no image of 1 to {} a side; resize it", path,
-                                          spec.width, spec.height, side));
+        return failWith(fmt::format("{}: {} x {} pixels, each side must be from 1 to {}; resize it", path, spec.width,
+                                    spec.height, side));
     if (spec.nchannels < 1 || spec.nchannels > 4)
         return failWith(fmt::format("{}: it has {} channels; save it with 1 to 4", path, spec.nchannels));
     Image image = blankImage(spec.width, spec.height, spec.nchannels);

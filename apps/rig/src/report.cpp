@@ -1,6 +1,6 @@
-#include <kit/fail.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <kit/fail.h>
 #include <kit/image/files.h>
 #include <rig/report.h>
 #include <sys/file.h>
@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string anotherPage = "its index.html is no page of failing comparisons, and would be lost";
+const std::string anotherPage = "its index.html is not a page of failing comparisons, and would be lost";
 
-/// Held by one process at a time, and given back by the kernel should it die.
+/// A lock held by one process at a time; the kernel releases it if the process ends.
 class FolderLock {
 public:
     explicit FolderLock(const fs::path& folder)
@@ -51,13 +51,13 @@ tl::unexpected<Error> cannotWrite(const fs::path& folder, const std::string& rea
         fmt::format("{}: the report cannot be written: {}; choose another folder", folder.string(), reason));
 }
 
-/// Somebody's web site may stand where a report is wanted: its page is theirs to keep.
+/// The folder may hold another page, such as a web site, which must not be overwritten.
 bool holdsAnotherPage(const fs::path& folder) {
     const fs::path page = folder / "index.html";
     std::error_code ignored;
     if (!fs::exists(fs::symlink_status(page, ignored))) return false;
     if (!fs::is_regular_file(page, ignored)) return true;
-    constexpr std::size_t head = 1024;  // the title stands in the first 200 bytes
+    constexpr std::size_t head = 1024;  // the title is in the first 200 bytes
     std::string start(head, '\0');
     std::ifstream file(page, std::ios::binary);
     file.read(start.data(), head);
@@ -71,7 +71,7 @@ Result<void> rebuildPage(const fs::path& folder) {
     return {};
 }
 
-/// FNV-1a, 32 bits: tells keys apart that look alike once their odd characters are replaced.
+/// FNV-1a, 32 bits: distinguishes keys that become equal when special characters are replaced.
 std::uint32_t hashOf(std::string_view text) {
     std::uint32_t hash = 2166136261u;
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -97,7 +97,7 @@ Result<void> replaceEntry(const fs::path& folder, const Failure& failure, const 
 }  // namespace
 
 std::string entryKey(const Subject& subject) {
-    constexpr std::size_t readable = 120;  // file names end at 255 bytes
+    constexpr std::size_t readable = 120;  // file names have at most 255 bytes
     const std::string whole = subject.effect + '\n' + subject.technique + '\n' + subject.pass + '\n' + subject.check;
     std::string key;
     for (const std::string* part : {&subject.effect, &subject.technique, &subject.pass, &subject.check}) {
@@ -109,7 +109,7 @@ std::string entryKey(const Subject& subject) {
 }
 
 Result<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
-                            const Image* expected) {
+                           const Image* expected) {
     if (holdsAnotherPage(folder)) return cannotWrite(folder, anotherPage);
     std::error_code error;
     fs::create_directories(fs::path(folder) / "entries", error);
@@ -132,7 +132,7 @@ Result<void> reportPass(const std::string& folder, const Subject& subject) {
 }
 
 Result<void> reportTechniques(const std::string& folder, const std::string& effect,
-                               const std::vector<std::string>& techniques) {
+                              const std::vector<std::string>& techniques) {
     const std::string entries = (fs::path(folder) / "entries").string();
     std::error_code error;
     if (!fs::exists(entries, error)) return {};

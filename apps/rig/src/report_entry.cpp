@@ -28,7 +28,7 @@ Json figures(const Image* image, const Image* expected) {
         const Difference apart = difference(*image, *expected);
         json["largest_difference"] = apart.largest;
         json["largest_difference_at"] = {{"pixel", {apart.at.x, apart.at.y}}, {"channel", apart.at.channel}};
-        // JSON has no infinity; over a black picture there is nothing to be relative to.
+        // JSON has no infinity; the figure is infinite if the expected picture is black.
         json["relative_l2"] = std::isfinite(apart.relativeL2) ? Json(apart.relativeL2) : Json(nullptr);
         json["differing_values"] = apart.differing;
     }
@@ -49,7 +49,7 @@ Result<void> writePanel(const std::filesystem::path& folder, const Panel& panel)
 }  // namespace
 
 Result<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
-                         const Image* expected) {
+                        const Image* expected) {
     const double white = whitePoint(image, expected);
     Json json = {{"effect", failure.subject.effect}, {"technique", failure.subject.technique},
                  {"pass", failure.subject.pass},     {"check", failure.subject.check},
@@ -65,8 +65,8 @@ Result<void> writeEntry(const std::filesystem::path& folder, const Failure& fail
     if (expected) panels.push_back({"expected", expected, displayed(*expected, white)});
     if (image && expected && image->sameShape(*expected)) {
         apart = absoluteDifference(*image, *expected);
-        const double most = difference(*image, *expected).largest;
-        panels.push_back({"difference", &apart, heatMap(apart, std::max(most, 1e-300))});
+        const double max = difference(*image, *expected).largest;
+        panels.push_back({"difference", &apart, heatMap(apart, std::max(max, 1e-300))});
     }
     Json pictures = Json::array();
     for (const Panel& panel : panels) {

@@ -9,6 +9,6 @@ namespace tyndall::rig {
 
 /// Fills the folder, which exists, with the failure's pictures and entry.json.
 Result<void> writeEntry(const std::filesystem::path& folder, const Failure& failure, const Image* image,
-                         const Image* expected);
+                        const Image* expected);
 
 }  // namespace tyndall::rig

@@ -163,9 +163,8 @@ std::string article(const Entry& entry) {
     if (json.contains("pictures") && !json.at("pictures").empty()) {
         const std::string white = json.contains("white") ? fmt::format("white is {}", number(json.at("white"))) : "";
         html += "<div class=\"pictures\">\n" + figure(entry, "image", "drawn; " + white, "nothing was drawn") +
-                figure(entry, "expected", "expected; " + white, "no image to hold it against") +
-                figure(entry, "difference", "difference, black where there is none", "no difference to show") +
-                "</div>\n";
+                figure(entry, "expected", "expected; " + white, "no image to compare with") +
+                figure(entry, "difference", "difference, black for 0", "no difference to show") + "</div>\n";
     }
     if (json.contains("figures")) html += figuresTable(json.at("figures"));
     if (!text(json, "command").empty()) html += "<pre>" + escaped(text(json, "command")) + "</pre>\n";
@@ -177,7 +176,7 @@ std::string shortName(const Json& json) {
     return text(json, "technique") + (pass.empty() ? "" : ", " + pass) + ": " + text(json, "check");
 }
 
-/// One entry that another version wrote, or a hand changed, must not cost the page.
+/// An entry from another version, or edited by hand, must not break the page.
 std::string safeArticle(const Entry& entry) {
     try {
         return article(entry);
@@ -205,12 +204,11 @@ std::string reportPage(const std::string& entriesFolder) {
             ? "Nothing fails"
             : fmt::format("{} comparison{} in {} technique{} fail{}", entries.size(), entries.size() == 1 ? "" : "s",
                           techniques.size(), techniques.size() == 1 ? "" : "s", entries.size() == 1 ? "s" : ""));
-    html +=
-        entries.empty()
-            ? "<p class=\"lead\">Every comparison that failed before has passed since.</p>\n"
-            : "<p class=\"lead\">What was drawn, what should have been, and where they part. Magenta stands for NaN "
-              "and "
-              "infinity. The command below each shows it again; the float images lie in <code>entries</code>.</p>\n";
+    html += entries.empty()
+                ? "<p class=\"lead\">Every comparison that failed before has passed since.</p>\n"
+                : "<p class=\"lead\">The drawn picture, the expected picture and their difference. Magenta marks "
+                  "NaN and infinity. The command below each one repeats it; the float images are in "
+                  "<code>entries</code>.</p>\n";
     if (entries.size() > 1) {
         html += "<nav><h2>Failing</h2>\n";
         for (const Entry& entry : entries)

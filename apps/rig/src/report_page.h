@@ -1,4 +1,4 @@
-// The page of failures, made of every entry there is.
+// The page of failures, made from all entries.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace tyndall::rig {
 
-/// Ends the title of every such page, and so tells one from a page that somebody else wrote.
+/// The end of the title of every such page; other pages do not have it.
 inline constexpr std::string_view pageMark = " failing comparisons</title>";
 
-/// HTML with everything in it: no script, no style sheet and no picture is fetched. Entries that cannot be read
+/// Self-contained HTML: it fetches no script, style sheet or picture. Entries that cannot be read
 /// are named instead of shown.
 std::string reportPage(const std::string& entriesFolder);
 
-/// The folders of entries that are about the effect, but none of these techniques.
+/// The folders of the effect's entries whose technique is not in the list.
 std::vector<std::filesystem::path> entriesOfOtherTechniques(const std::string& entriesFolder, const std::string& effect,
                                                             const std::vector<std::string>& techniques);
 

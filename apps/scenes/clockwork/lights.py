@@ -1,11 +1,11 @@
-"""Two lamps: one behind the wheels, whose shadows turn in dusty air, and one that nothing stands before."""
+"""Two lamps: one behind the wheels, whose shadows turn in dusty air, and one with nothing in front of it."""
 
 import math
 
 from clockwork.plan import LAMP, OPENING, OPENING_RADIUS, PENDANT, ROOM_FRONT, WHEELS_Y
 from kit.sample import spot
 
-BEYOND = 0.1  # metres that a far plane reaches past what the lamp shines on
+BEYOND = 0.1  # metres that a far plane lies behind the lit surface
 
 
 def build_lights():

@@ -24,7 +24,7 @@ def build_shell(floor, stone, soot):
 
 
 def build_pierced_wall(stone, trim):
-    """Both faces run from the circle to the wall's edge in as many steps; corners fall on a step each."""
+    """Both faces run from the circle to the wall's edge in the same number of steps; each corner is on a step."""
     steps, (cx, cz), r, t = 48, OPENING, OPENING_RADIUS, WALL_THICKNESS
     edges = (-ROOM_HALF, 0.0), (ROOM_HALF, ROOM_HEIGHT)
     corners = sorted(math.atan2(z - cz, x - cx) for x in (-ROOM_HALF, ROOM_HALF) for z in (0.0, ROOM_HEIGHT))
@@ -36,9 +36,9 @@ def build_pierced_wall(stone, trim):
     border = []
     for a in angles:
         c, s = math.cos(a), math.sin(a)
-        reach = min(((edges[c > 0][0] - cx) / c) if abs(c) > 1e-9 else math.inf,
+        distance = min(((edges[c > 0][0] - cx) / c) if abs(c) > 1e-9 else math.inf,
                     ((edges[s > 0][1] - cz) / s) if abs(s) > 1e-9 else math.inf)
-        border.append((cx + reach * c, cz + reach * s))
+        border.append((cx + distance * c, cz + distance * s))
 
     part = Part(stone)
     for outer, inner, y in ((border, circle, 0.0), (circle, border, t)):

@@ -7,7 +7,7 @@ import bpy
 from clockwork.plan import LOOP, MODULE, OPENING, OPENING_RADIUS, WHEELS_Y, pitch_radius, wheels
 from kit.geometry import Part, box, place, rod
 
-FRAMES_PER_SECOND = 5  # a wheel turns evenly, and its quaternions do so between keys too: few keys suffice
+FRAMES_PER_SECOND = 5  # wheels turn evenly, and quaternions between keys too, so few keys are enough
 THICKNESS = 0.16
 
 
@@ -20,7 +20,7 @@ def tooth_outline(teeth):
 
 
 def ring(part, outer, inner, half, slot=0):
-    """A flat ring between two closed outlines of as many points, in the plane of x and z, with all four sides."""
+    """A flat ring between two closed outlines of equally many points, in the plane of x and z, with all four sides."""
     def points(outline, y):
         return [(r * math.cos(a), y, r * math.sin(a)) for r, a in outline]
 
@@ -41,8 +41,8 @@ def wheel(teeth, spokes, brass, iron):
         out, side = (math.cos(a), math.sin(a)), (-math.sin(a), math.cos(a))
         section = ((-1, -1), (1, -1), (1, 1), (-1, 1))
         rows = []
-        for reach, wide in ((0.9 * hub, 0.085), (rim + 0.02, 0.055)):
-            rows.append([(out[0] * reach + side[0] * wide * s, 0.7 * half * y, out[1] * reach + side[1] * wide * s)
+        for radius, wide in ((0.9 * hub, 0.085), (rim + 0.02, 0.055)):
+            rows.append([(out[0] * radius + side[0] * wide * s, 0.7 * half * y, out[1] * radius + side[1] * wide * s)
                          for s, y in section])
         part.grid(rows, closed=True)
     rod(part, (0, -2.2 * half, 0), (0, 0.5, 0), bore, bore, 12, slot=1)
@@ -69,6 +69,6 @@ def build_bearings(iron):
     """A bar across the opening behind each axle."""
     for teeth, _, x, z, _, _ in wheels():
         part = Part(iron)
-        reach = math.sqrt(OPENING_RADIUS ** 2 - (z - OPENING[1]) ** 2) + 0.1
-        box(part, (OPENING[0] - reach, 0.24, z - 0.05), (OPENING[0] + reach, 0.34, z + 0.05))
+        half_length = math.sqrt(OPENING_RADIUS ** 2 - (z - OPENING[1]) ** 2) + 0.1
+        box(part, (OPENING[0] - half_length, 0.24, z - 0.05), (OPENING[0] + half_length, 0.34, z + 0.05))
         part.place(f"Bearing of {teeth}")

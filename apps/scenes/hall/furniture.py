@@ -1,4 +1,4 @@
-"""What stands and hangs in the hall: portal, pews, lantern, and the censer that swings in the light."""
+"""Furniture of the hall: portal, pews, lantern, and the censer that swings in the light."""
 
 import math
 

@@ -10,19 +10,19 @@ from hall.plan import (BACK, FRONT, LANTERN, NAVE_WALL, PANE_HEIGHT, SILL, TRACE
 from kit import textures
 from kit.sample import spot
 
-# Low sun through the windows: a lamp far enough away for its rays to be near parallel.
+# Low sun through the windows: a lamp so far away that its rays are nearly parallel.
 AIM = Vector((TRACERY, 6.5, 4.3))
 SUN_DISTANCE = 16.0
 ELEVATION, AZIMUTH = math.radians(35), math.radians(-14)
 SUN = Vector((math.cos(ELEVATION) * math.cos(AZIMUTH), math.cos(ELEVATION) * math.sin(AZIMUTH), -math.sin(ELEVATION)))
 
-# Texels of the slide, 0.06 m at the windows: glass scatters, and detail finer than a slice's share of the air only
-# shows as the slices' own pattern.
+# Texels of the slide, 0.06 m at the windows: glass scatters, and detail finer than a slice's thickness only
+# shows as a pattern of slices.
 GLASS_BLUR = 1.6
 
 
 def sun_frame():
-    """Position and rotation of the sun's lamp, and how wide and deep its pyramid has to be."""
+    """Position and rotation of the sun's lamp, and the width and depth of its pyramid."""
     rotation = SUN.to_track_quat("-Z", "Y").to_matrix()
     position = AIM - SUN * SUN_DISTANCE
     top = WINDOW_SPRING + max(r for _, r in WINDOW_ARCH)
@@ -38,9 +38,9 @@ def sun_frame():
 
 
 def glass(position, rotation):
-    """Returns the colour of the light that leaves the lamp at slope (x, y): what the glass there lets through.
+    """Returns the colour of the light that leaves the lamp at slope (x, y), after the glass there.
 
-    The glass is in the slide alone: as geometry it would throw shadows.
+    The glass is only in the slide: as geometry it would cast shadows.
     """
     straw, pale, rose, amber = (1.0, 0.92, 0.74), (0.94, 0.96, 0.92), (1.0, 0.76, 0.62), (1.0, 0.76, 0.40)
     ruby, blue = (1.0, 0.38, 0.24), (0.30, 0.52, 1.0)
@@ -50,13 +50,13 @@ def glass(position, rotation):
     def colour_of(x, y):
         axes = numpy.array(rotation)
         rays = x[..., None] * axes[:, 0] + y[..., None] * axes[:, 1] - axes[:, 2]
-        reach = (TRACERY - position.x) / rays[..., 0]
-        across = position.y + reach * rays[..., 1]
-        up = position.z + reach * rays[..., 2]
+        distance = (TRACERY - position.x) / rays[..., 0]
+        across = position.y + distance * rays[..., 1]
+        up = position.z + distance * rays[..., 2]
         window = numpy.abs(across[..., None] - numpy.array(WINDOWS)).argmin(axis=-1)
         right = across > numpy.array(WINDOWS)[window]
 
-        # One glass a pane, large pieces: what the bars divide is what the beams show. Coloured heads.
+        # One colour per pane, in large pieces, so that beams are divided like the panes. Coloured heads.
         row = numpy.floor((up - SILL) / PANE_HEIGHT).astype(int)
         colour = panes[(row * 2 + right + window * 3) % len(panes)]
         return numpy.where((up > WINDOW_SPRING)[..., None], heads[(right + window) % len(heads)], colour)
@@ -76,8 +76,8 @@ def build_lights():
         "cookie": "Stained glass"})
     spot("Lantern light", Vector(LANTERN), Vector((0, 0, -1)), (1.0, 0.62, 0.28), 14, 84, 0.6, {
         "shape": "cone", "near": 0.1, "far": round(LANTERN[2] + 0.1, 2), "shadow": "static", "density": 0.06})
-    # What the pools of light on the floor send back up. It lights surfaces alone: in air of density 0 it throws
-    # no shafts, and none are simulated.
+    # Light reflected up by the pools of light on the floor. It lights only surfaces: with density 0 there are no
+    # shafts.
     spot("Bounce from the floor", Vector((0.5, 6.0, -3.0)), Vector((0, 0, 1)), (1.0, 0.84, 0.66), 5, 140, 0.5, {
         "shape": "cone", "near": 0.5, "far": 25.0, "shadow": "none", "density": 0.0})
     slide = textures.slide(256, fov, glass(position, rotation), GLASS_BLUR)

@@ -8,7 +8,7 @@ from hall.plan import (ARCADE, BACK, BAY_HALF, COLUMN_TOP, COLUMNS, FRONT, HEIGH
 
 
 def courses(part, y_range, z_range, size, openings, to_world, across, up, slots):
-    """Ashlar in running bond, left out where `openings` (low y, high y, low z, high z) are."""
+    """Ashlar in running bond, without `openings` (low y, high y, low z, high z)."""
     (y0, y1), (z0, z1) = y_range, z_range
     length, height = size
     for row in range(round((z1 - z0) / height)):

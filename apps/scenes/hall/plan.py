@@ -1,4 +1,4 @@
-"""Where things stand in the hall. Metres; x from the windows across the nave, y away from the camera, z up."""
+"""Layout of the hall. Metres; x from the windows across the nave, y away from the camera, z up."""
 
 from kit.geometry import arch
 

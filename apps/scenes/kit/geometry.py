@@ -1,4 +1,4 @@
-"""Stone-mason's kit: plain functions that add faces to a Part, and a Part that becomes a Blender object.
+"""Functions that add faces to a Part, and a Part that becomes a Blender object.
 
 Lengths in metres, Blender's axes (Z up). Everything is computed in a fixed order, so that the exported
 file has the same bytes every time.
@@ -11,7 +11,7 @@ from mathutils import Vector
 
 
 class Part:
-    """Vertices and faces under way to one mesh; every face carries the index of its material."""
+    """Vertices and faces of a mesh; every face has the index of its material."""
 
     def __init__(self, *materials):
         self.materials = materials
@@ -99,7 +99,7 @@ def box(part, low, high, slot=0):
 
 
 def tile(part, origin, across, up, size, bevel, slot=0):
-    """A stone that stands `bevel` proud of its bed: a face and four chamfers. `across` x `up` points outwards."""
+    """A stone that projects by `bevel`: a face and four chamfers. `across` x `up` points outwards."""
     origin, across, up = Vector(origin), Vector(across), Vector(up)
     out = across.cross(up)
     w, h = size
@@ -139,7 +139,7 @@ def arch(half_width, offset, steps):
     radius = half_width + offset
     points = []
     for i in range(2 * steps + 1):
-        u = -half_width * math.cos(math.pi * i / (2 * steps))  # closer together at the springers, where it is steep
+        u = -half_width * math.cos(math.pi * i / (2 * steps))  # closer together where the arch is steep
         points.append((u, math.sqrt(max(0.0, radius * radius - (abs(u) + offset) ** 2))))
     return points
 

@@ -1,4 +1,4 @@
-"""What every sample scene does: start empty, put up cameras and lamps, export, and give the lamps their pictures."""
+"""Common steps of all sample scenes: clear, add cameras and lamps, export, add the lamps' pictures."""
 
 import math
 import os
@@ -34,8 +34,8 @@ def camera(name, eye, target, lens, far=100.0):
 
 
 def spot(name, location, direction, colour, candela, cone_degrees, blend, tyndall):
-    """A lamp with what extras.tyndall says of it. Where that names a cookie or noise texture, it does so by the name
-    that export() finds its picture under."""
+    """A lamp with its extras.tyndall, in which cookie and noise are names of pictures that are passed to
+    export()."""
     light = bpy.data.lights.new(name, "SPOT")
     light.color = colour
     light.energy = candela * 4 * math.pi / LUMEN_PER_WATT
@@ -48,8 +48,8 @@ def spot(name, location, direction, colour, candela, cone_degrees, blend, tyndal
 
 
 def export(path, pictures):
-    """Writes the scene. `pictures`: PNG bytes by name; each that a lamp names goes into the file once."""
-    plain = path + ".part.glb"  # the exporter insists on the ending
+    """Writes the scene. `pictures`: PNG bytes by name; each picture that a lamp names is in the file once."""
+    plain = path + ".part.glb"  # the exporter requires the extension
     bpy.ops.export_scene.gltf(filepath=plain, export_format="GLB", export_extras=True, export_cameras=True,
                               export_lights=True, export_texcoords=True, export_yup=True, export_apply=True,
                               export_animations=True)
@@ -72,7 +72,7 @@ def export(path, pictures):
 
 
 def run(build):
-    """The whole of a scene's script: `build()` makes the scene and returns its pictures."""
+    """The main function of a scene's script: `build()` makes the scene and returns its pictures."""
     script = os.path.basename(sys.modules["__main__"].__file__)
     arguments = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
     if len(arguments) != 1:

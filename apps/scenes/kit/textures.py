@@ -7,7 +7,7 @@ import numpy
 
 
 def png(pixels):
-    """8-bit RGB. Rows are stored as differences to the row above, which suits smooth pictures."""
+    """8-bit RGB. Rows are stored as differences to the row above, which compresses smooth pictures well."""
     height, width, _ = pixels.shape
     rows = pixels.reshape(height, width * 3).astype(numpy.uint8)
     up = rows.copy()
@@ -50,11 +50,11 @@ def billows(size, first_cells, octaves, seed):
 
 def dust(size=256, contrast=0.28):
     """Two tileable maps in red and green. Each has mean sqrt(0.3): drifting over each other their product
-    has mean 0.3, so that a gain of 1/0.3 leaves the brightness of the air as it was."""
+    has mean 0.3, so that a gain of 1/0.3 keeps the brightness of the air."""
     pixels = numpy.zeros((size, size, 3))
     for channel, (cells, seed) in enumerate(((3, 11), (4, 29))):
         field = numpy.clip(numpy.sqrt(0.3) + contrast * billows(size, cells, 4, seed), 0.03, 1.0)
-        for _ in range(8):  # clipping moved the mean
+        for _ in range(8):  # clipping changes the mean
             field = numpy.clip(field + numpy.sqrt(0.3) - field.mean(), 0.03, 1.0)
         pixels[..., channel] = field
     return png(numpy.rint(pixels * 255))
@@ -63,7 +63,7 @@ def dust(size=256, contrast=0.28):
 def stone_grain(size=256):
     """Grey, tileable, a little darker than white: multiplies a stone's colour."""
     field = 0.86 + 0.05 * billows(size, 4, 3, 5) + 0.035 * billows(size, 24, 3, 17)
-    steps = numpy.rint(srgb(numpy.clip(field, 0.4, 1.0)) * 63) * (255 / 63)  # 64 greys suffice, and pack well
+    steps = numpy.rint(srgb(numpy.clip(field, 0.4, 1.0)) * 63) * (255 / 63)  # 64 greys are enough and compress well
     return png(numpy.repeat(numpy.rint(steps)[..., None], 3, axis=2))
 
 
@@ -86,23 +86,23 @@ def srgb(linear):
 
 def soften(picture, sigma):
     """Gaussian blur by `sigma` rows and columns; edges repeat."""
-    reach = int(numpy.ceil(3 * sigma))
-    kernel = numpy.exp(-0.5 * (numpy.arange(-reach, reach + 1) / sigma) ** 2)
+    radius = int(numpy.ceil(3 * sigma))
+    kernel = numpy.exp(-0.5 * (numpy.arange(-radius, radius + 1) / sigma) ** 2)
     kernel /= kernel.sum()
     for axis in (0, 1):
         size = picture.shape[axis]
-        at = numpy.clip(numpy.arange(-reach, size + reach), 0, size - 1)
+        at = numpy.clip(numpy.arange(-radius, size + radius), 0, size - 1)
         wide = picture.take(at, axis=axis)
         picture = sum(k * wide.take(numpy.arange(i, i + size), axis=axis) for i, k in enumerate(kernel))
     return picture
 
 
 def slide(size, fov, colour_of, blur, samples=4):
-    """What a lamp has to project so that `colour_of(x, y)` arrives on the plane one metre before it.
+    """The slide that a lamp must project so that `colour_of(x, y)` arrives on the plane one metre before it.
 
     `fov`: full angles in radians; x to the lamp's right and y up, arrays; linear RGB out. Each texel is the mean
-    of `samples` squared points, then the slide is put out of focus by `blur` texels. Row 0 is the top: the picture
-    is as an eye at the lamp would see it.
+    of `samples` squared points, then the slide is blurred by `blur` texels. Row 0 is the top: the picture is
+    as seen by an eye at the lamp.
     """
     fine = (numpy.arange(size * samples) + 0.5) / (size * samples) * 2 - 1
     x = fine[None, :] * numpy.tan(fov[0] / 2) * numpy.ones((size * samples, 1))

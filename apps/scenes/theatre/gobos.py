@@ -10,7 +10,7 @@ import numpy
 from kit import textures
 
 SIZE = 256
-BLUR = 2.0  # texels: a lamp's lens is never quite in focus, and finer detail than a slice would only hatch
+BLUR = 2.0  # texels: a lamp's lens is never quite in focus, and detail finer than a slice would show as hatching
 DISC = 0.96
 
 
@@ -38,8 +38,8 @@ def stars(x, y):
         # A point of the star is a straight edge from its tip, at radius 1, to the notch at 0.42.
         tip, notch = numpy.array([1.0, 0.0]), 0.42 * numpy.array([math.cos(fold), math.sin(fold)])
         nx, ny = notch[1] - tip[1], tip[0] - notch[0]
-        reach = (nx * tip[0] + ny * tip[1]) / (nx * numpy.cos(angle) + ny * numpy.sin(angle))
-        sky[numpy.hypot(x - cx, y - cy) < size * reach] = 1.0
+        edge_radius = (nx * tip[0] + ny * tip[1]) / (nx * numpy.cos(angle) + ny * numpy.sin(angle))
+        sky[numpy.hypot(x - cx, y - cy) < size * edge_radius] = 1.0
     return sky
 
 

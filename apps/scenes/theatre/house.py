@@ -48,7 +48,7 @@ def build_proscenium(plaster, gold):
 
 
 def curtain(name, velvet, x_range, y, z_range, folds, depth):
-    """Hangs in folds, and is seen from both sides."""
+    """A curtain in folds, visible from both sides."""
     part = Part(velvet)
     steps = 6 * folds
     (x0, x1), (z0, z1) = x_range, z_range
@@ -99,7 +99,7 @@ def build_trusses(steel):
 
 
 def lamp_housing(steel, glow):
-    """Stands behind its lens at the origin; the lamp looks along -Z."""
+    """The housing, behind the lens at the origin; the lamp looks along -Z."""
     part = Part(steel, glow)
     lathe(part, [(0.10, 0.0), (0.10, 0.26), (0.15, 0.34), (0.15, 0.56), (0.06, 0.64), (0.0, 0.64)], 12)
     lathe(part, [(0.0, 0.02), (0.10, 0.02)], 12, slot=1)

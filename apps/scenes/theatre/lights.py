@@ -13,18 +13,19 @@ RED, GREEN, LAVENDER, STRAW = (1.0, 0.08, 0.05), (0.15, 1.0, 0.30), (0.62, 0.42,
 
 DENSITY = 0.075
 NEAR = 0.3
-BEYOND = 0.15  # metres that a far plane reaches past what the lamp shines on
+BEYOND = 0.15  # metres that a far plane lies behind the lit surface
 HAZE = {"scale": [2.5, 2.5], "scroll1": [0.02, 0.01], "scroll2": [-0.015, 0.02], "gain": 1 / 0.3, "texture": "Haze"}
 
 
 def far_plane(position, direction, half_angle, floor):
-    """Where along the axis the last corner ray of the lamp's pyramid meets floor, wall, ceiling or backdrop."""
+    """Distance along the axis at which the last corner ray of the lamp's pyramid meets floor, wall, ceiling or
+    backdrop."""
     turned = sample.looking(direction)
-    reach = math.tan(half_angle)
+    tan_half_angle = math.tan(half_angle)
     low, high = (-STAGE_HALF, STALLS_BACK, floor), (STAGE_HALF, BACKDROP, CEILING)
     farthest = 0.0
-    for x in (-reach, reach):
-        for y in (-reach, reach):
+    for x in (-tan_half_angle, tan_half_angle):
+        for y in (-tan_half_angle, tan_half_angle):
             ray = turned @ Vector((x, y, -1.0))  # one metre along the axis
             hits = [((high if ray[i] > 0 else low)[i] - position[i]) / ray[i] for i in range(3) if abs(ray[i]) > 1e-9]
             farthest = max(farthest, min(hits))
@@ -38,13 +39,13 @@ class Rig:
     def lamp(self, name, position, target, colour, candela, degrees, gobo, haze=False, cone=False, floor=0.0):
         position = Vector(position)
         direction = Vector(target) - position
-        said = {"near": NEAR, "far": far_plane(position, direction, math.radians(degrees / 2), floor),
+        settings = {"near": NEAR, "far": far_plane(position, direction, math.radians(degrees / 2), floor),
                 "density": DENSITY, "cookie": gobo}
         if not cone:
-            said.update({"shape": "frustum", "fov": [degrees, degrees]})
+            settings.update({"shape": "frustum", "fov": [degrees, degrees]})
         if haze:
-            said["noise"] = dict(HAZE)
-        sample.spot(name, position, direction, colour, candela, degrees, 0.2, said)
+            settings["noise"] = dict(HAZE)
+        sample.spot(name, position, direction, colour, candela, degrees, 0.2, settings)
         place(name + ", housing", self.housing, position, sample.looking(direction).to_euler())
 
 
@@ -52,7 +53,7 @@ def build_lights(housing):
     rig = Rig(housing)
     front, middle, back = TRUSSES
 
-    # Front truss: washes on the backdrop and the set, two of them waiting for their cue.
+    # Front truss: washes on the backdrop and the set, two of them off in this cue.
     washes = ((-6.0, (-6.4, BACKDROP, 3.4), BLUE, 0, "Stars"), (-4.4, (-4.6, 7.2, 1.0), AMBER, 1500, "Leaves"),
               (-2.8, (-2.7, 4.7, 0.8), STRAW, 1500, "Breakup"), (-1.2, (-1.6, BACKDROP, 4.2), BLUE, 2300, "Stars"),
               (1.2, (1.6, BACKDROP, 4.2), BLUE, 2300, "Stars"), (2.8, (3.1, 4.3, 0.8), STRAW, 1500, "Breakup"),
@@ -67,7 +68,7 @@ def build_lights(housing):
         rig.lamp(f"Middle {i + 1}", (x, middle, LAMP_HEIGHT), (1.25 * x, middle - 0.3, 0.0), colour, candela, 11,
                  "Bars" if i % 2 else "Rings", cone=i in (0, 7))
 
-    # Back truss: towards the stalls, over the heads; the two in the middle stand in the haze machine's cloud.
+    # Back truss: towards the stalls, over the heads; the two in the middle have haze.
     for i, (colour, candela) in enumerate(((RED, 2000), (AMBER, 2000), (STRAW, 2650), (STRAW, 2650),
                                            (AMBER, 0), (RED, 2000))):
         x = -5.0 + 2.0 * i
@@ -83,7 +84,7 @@ def build_lights(housing):
     rig.lamp("Wing left", (-9.2, 5.2, 2.7), (8.0, 5.8, 0.4), GREEN, 1500, 10, "Leaves", haze=True)
     rig.lamp("Wing right", (9.2, 5.2, 2.7), (-8.0, 5.8, 0.4), AMBER, 0, 10, "Leaves")
 
-    # House lights over the stalls' back rows: behind whoever looks at the stage.
+    # House lights over the stalls' back rows: behind every camera.
     for i, x in enumerate((-6.0, -2.0, 2.0, 6.0)):
         rig.lamp(f"House {i + 1}", (x, -20.5, CEILING - 0.8), (x, -19.5, STALLS_FLOOR), STRAW, 500, 24, "Breakup",
                  cone=True, floor=STALLS_FLOOR)

@@ -1,4 +1,4 @@
-"""What stands on the stage: stair, gate, tree and dancers. Only some of the beams meet any of it."""
+"""Objects on the stage: stair, gate, tree and dancers. Only some of the beams meet them."""
 
 import math
 
@@ -27,7 +27,7 @@ def build_gate(paint):
 
 
 def build_tree(bark):
-    """Bare branches: every one forks in three, each a turn about the stem and a tilt from it."""
+    """Bare branches: each forks in three, turned about the stem and tilted from it."""
     part = Part(bark)
 
     def grow(foot, direction, length, radius, depth, turn):

@@ -1,4 +1,4 @@
-"""Where things stand in the theatre. Metres; x across the stage, y from the stalls to the backdrop, z up."""
+"""Layout of the theatre. Metres; x across the stage, y from the stalls to the backdrop, z up."""
 
 # The stage: its floor is at z = 0, the opening towards the stalls in the plane y = 0.
 OPENING_HALF, OPENING_HEIGHT = 7.0, 6.6
@@ -7,7 +7,7 @@ STAGE_HALF, STAGE_FRONT, STAGE_BACK = 11.0, -1.6, 11.6
 BACKDROP = 11.0
 CEILING = 10.0
 
-# The house: lower than the stage, and as wide.
+# The house: lower than the stage, with the same width.
 STALLS_FLOOR, STALLS_BACK = -1.1, -24.0
 SEAT_ROWS = (-4.4, -5.8, -7.2, -8.6)
 

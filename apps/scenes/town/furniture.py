@@ -1,4 +1,4 @@
-"""What stands in the streets: lamp posts, signs, cars, trees; and the ground they stand on."""
+"""Objects in the streets: lamp posts, signs, cars, trees; and the ground."""
 
 import math
 
@@ -6,7 +6,7 @@ import numpy
 
 from kit.geometry import Part, box, lathe, place, rod
 from town.plan import (BACKS, CAR_LINE, CARS, CROSSING, EDGE, END, FRONTS, KERB, LANE_INNER, LANE_OUTER, POST_HEIGHT,
-                       POST_REACH, SQUARE, START, TREE_LINE, TREES)
+                       POST_ARM, SQUARE, START, TREE_LINE, TREES)
 
 
 def build_ground(asphalt, paving, grass):
@@ -33,19 +33,19 @@ def build_ground(asphalt, paving, grass):
 
 
 def lamp_post(iron, glow):
-    """Its lamp's head hangs at the origin, over +x of its foot; nothing of it stands before the lamp."""
+    """Its lamp's head hangs at the origin, over +x of its foot; no part of the post is in front of the lamp."""
     part = Part(iron, glow)
-    reach, height = POST_REACH, POST_HEIGHT
-    rod(part, (-reach, 0, -height), (-reach, 0, -0.2), 0.09, 0.05, 6)
-    rod(part, (-reach, 0, -0.2), (-reach + 0.5, 0, 0.22), 0.05, 0.04, 6)
-    rod(part, (-reach + 0.5, 0, 0.22), (0.1, 0, 0.2), 0.04, 0.03, 6)
+    arm, height = POST_ARM, POST_HEIGHT
+    rod(part, (-arm, 0, -height), (-arm, 0, -0.2), 0.09, 0.05, 6)
+    rod(part, (-arm, 0, -0.2), (-arm + 0.5, 0, 0.22), 0.05, 0.04, 6)
+    rod(part, (-arm + 0.5, 0, 0.22), (0.1, 0, 0.2), 0.04, 0.03, 6)
     box(part, (-0.35, -0.12, 0.09), (0.22, 0.12, 0.2))
     part.face(((-0.3, -0.1, 0.085), (-0.3, 0.1, 0.085), (0.18, 0.1, 0.085), (0.18, -0.1, 0.085)), 1)
     return part.mesh("Lamp post")
 
 
 def sign(colour_name, glow, iron):
-    """A blade that stands out of a front along +x; its lower end is the origin."""
+    """A blade that projects from a front along +x; its lower end is the origin."""
     part = Part(iron, glow)
     box(part, (-0.28, -0.09, 0.06), (0.28, 0.09, 1.86))
     for side in (-1, 1):

@@ -1,11 +1,11 @@
-"""Houses in four kinds, and the town hall. A house's front stands in the plane x = 0 and looks along +x."""
+"""Houses in four kinds, and the town hall. A house's front is in the plane x = 0 and faces +x."""
 
 import math
 
 from kit.geometry import Part, box, place
 from town.plan import FRONTS, HOUSE_DEPTH, HOUSE_WIDTH, HOUSES, TOWN_HALL
 
-PROUD = 0.02  # metres that panes stand before their wall
+PROUD = 0.02  # metres from the wall to its panes
 
 
 def pane(part, y, z, wide, high, slot, front=True):
@@ -53,7 +53,7 @@ def kind_of(index, side):
 
 
 def pose_of(side, y):
-    """Place and turn of a house on the left (-1) or right (1) side of the street."""
+    """Position and rotation of a house on the left (-1) or right (1) side of the street."""
     return (side * FRONTS, y, 0.0), (0.0, 0.0, 0.0 if side < 0 else math.pi)
 
 

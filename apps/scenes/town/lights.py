@@ -1,4 +1,4 @@
-"""Two hundred lamps, cones and pyramids that shine down and away from what carries them, and the moon."""
+"""Two hundred lamps, cones and pyramids that shine down and away from their posts and walls, and the moon."""
 
 import math
 
@@ -8,22 +8,22 @@ from kit import sample
 from kit.geometry import place
 from town.houses import kind_of
 from town.plan import (BACK_LAMP, BACKS, CROSSING, DOOR_LAMP, END, FRONTS, HOUSES, KERB, LANE_INNER, POST_HEIGHT,
-                       POST_REACH, SIGN, SQUARE, START)
+                       POST_ARM, SIGN, SQUARE, START)
 
 SODIUM, WHITE, WARM = (1.0, 0.60, 0.22), (0.80, 0.90, 1.0), (1.0, 0.74, 0.42)
 NEON = {"red": (1.0, 0.08, 0.10), "green": (0.15, 1.0, 0.35), "blue": (0.20, 0.35, 1.0), "pink": (1.0, 0.15, 0.70)}
 
 DENSITY = 0.035
-BEYOND = 0.15  # metres that a far plane reaches past the ground
+BEYOND = 0.15  # metres that a far plane lies below the ground
 
-# Full angle, and tilt from straight down, in degrees. Half the angle is no more than the tilt and what the post
-# leaves: neither post nor wall stands in the cone.
+# Full angle, and tilt from straight down, in degrees. Half the angle is small enough for the tilt and the post's
+# distance that neither post nor wall is in the cone.
 POST_CONE, POST_TILT = 56.0, 24.0
 WALL_CONE, WALL_TILT = 60.0, 31.0
 
 
 def far_plane(height, half, tilt):
-    """Where along the axis the flattest ray of the cone's pyramid meets the ground."""
+    """Distance along the axis at which the flattest ray of the cone's pyramid meets the ground."""
     return round(height * math.cos(half) / math.cos(tilt + half) + BEYOND, 2)
 
 
@@ -32,14 +32,14 @@ def lamp(name, position, outwards, colour, candela, degrees, tilt, window=None):
     tilt = math.radians(tilt)
     direction = Vector((outwards[0] * math.sin(tilt), outwards[1] * math.sin(tilt), -math.cos(tilt)))
     half = math.radians((window[1] if window else degrees) / 2)
-    said = {"near": 0.1, "far": far_plane(position[2], half, tilt), "density": DENSITY}
+    settings = {"near": 0.1, "far": far_plane(position[2], half, tilt), "density": DENSITY}
     if window:
-        said.update({"shape": "frustum", "fov": list(window)})
-    sample.spot(name, position, direction, colour, candela, degrees, 0.35, said)
+        settings.update({"shape": "frustum", "fov": list(window)})
+    sample.spot(name, position, direction, colour, candela, degrees, 0.35, settings)
 
 
 def build_moon():
-    """In air that is clear above the lamps: it lights walls and roofs alone."""
+    """The moon has density 0: it lights only walls and roofs."""
     direction = Vector((0.55, 0.35, -0.76)).normalized()
     town = Vector((0.0, (START + END) / 2, 0.0))
     sample.spot("Moon", town - 400.0 * direction, direction, (0.62, 0.74, 1.0), 0.7 * 400.0 ** 2, 50, 0.2, {
@@ -51,14 +51,14 @@ class Posts:
         self.mesh = mesh
 
     def stand(self, name, foot, outwards, colour, candela):
-        head = (foot[0] + POST_REACH * outwards[0], foot[1] + POST_REACH * outwards[1], POST_HEIGHT)
+        head = (foot[0] + POST_ARM * outwards[0], foot[1] + POST_ARM * outwards[1], POST_HEIGHT)
         lamp(name, head, outwards, colour, candela, POST_CONE, POST_TILT)
         place(name + ", post", self.mesh, head, (0, 0, math.atan2(outwards[1], outwards[0])))
 
 
 def build_posts(mesh):
     posts = Posts(mesh)
-    for i in range(28):  # by turns left and right
+    for i in range(28):  # alternately left and right
         side = -1 if i % 2 else 1
         posts.stand(f"Street {i + 1}", (side * (KERB + 0.5), START + 8.0 * (i + 1)), (-side, 0), SODIUM, 220)
     for side, name in ((-1, "left"), (1, "right")):
@@ -77,13 +77,13 @@ def build_posts(mesh):
 
 
 def build_wall_lamps(signs):
-    """On every house one over the door, or a shop's window, and one at the back; on some a sign."""
+    """Every house has a lamp over the door or shop window, and one at the back; some have a sign."""
     signs_left = 20
     for side, name in ((-1, "left"), (1, "right")):
         for i, y in enumerate(HOUSES):
             def out(lamp_place, front=True, side=side, y=y):
-                reach, along, up = lamp_place
-                x = FRONTS - reach if front else BACKS + reach
+                distance, along, up = lamp_place
+                x = FRONTS - distance if front else BACKS + distance
                 return side * x, y - side * along, up
 
             shop = kind_of(i, side) in (1, 2)

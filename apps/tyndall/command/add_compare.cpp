@@ -7,8 +7,8 @@
 namespace tyndall::app {
 
 void addCompare(CLI::App& app, CompareOptions& options) {
-    app.add_option("image", options.image, "picture to judge, OpenEXR or PNG")->required()->type_name("IMAGE");
-    app.add_option("reference", options.reference, "picture that is right, of the same size and channels")
+    app.add_option("image", options.image, "picture to compare, OpenEXR or PNG")->required()->type_name("IMAGE");
+    app.add_option("reference", options.reference, "correct picture, of the same size and channels")
         ->required()
         ->type_name("REFERENCE");
     app.add_flag("--json", options.json, "as JSON");
@@ -17,16 +17,16 @@ void addCompare(CLI::App& app, CompareOptions& options) {
     addOptional(app, "--difference-scale", options.differenceScale, "D",
                 "difference that a .png shows in full colour; the largest");
     app.add_option("--banding-threshold", options.bandingThreshold,
-                   "relative change of the reference over equal values from which they are a band; 0.001")
+                   "smallest relative change of the reference over equal values that counts as a band; 0.001")
         ->type_name("T");
     Limits& limits = options.limits;
     addOptional(app, "--max-relative-l2", limits.relativeL2, "E", "fail above this relative L2 error");
     addOptional(app, "--max-relative-mean-square", limits.relativeMeanSquare, "E",
                 "fail above this relative mean square error");
-    addOptional(app, "--max-absolute", limits.absolute, "E", "fail where any value is off by more");
-    addOptional(app, "--max-energy", limits.energy, "E", "fail where the mean is off by more than this share of it");
-    addOptional(app, "--max-run", limits.run, "N", "fail where a band is longer than this many pixels");
-    addOptional(app, "--max-dead-zone", limits.deadZone, "R", "fail where a reference value above this became 0");
+    addOptional(app, "--max-absolute", limits.absolute, "E", "fail if any value is off by more");
+    addOptional(app, "--max-energy", limits.energy, "E", "fail if the mean is off by more than this share of it");
+    addOptional(app, "--max-run", limits.run, "N", "fail if a band is longer than this many pixels");
+    addOptional(app, "--max-dead-zone", limits.deadZone, "R", "fail if the image is 0 at a reference value above this");
 }
 
 Result<void> checkCompare(const CompareOptions& options) {

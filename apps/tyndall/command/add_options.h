@@ -1,4 +1,4 @@
-// How options are declared to the command line's parser: helpers, and the groups that commands share.
+// Declares options to the command line's parser: helpers, and the groups that commands share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -26,7 +26,7 @@ CLI::Option* addChoice(CLI::App& app, const char* name, T& value, const Words<T,
             [&value, meanings, list, name](const std::string& text) {
                 const auto found = meanings.find(text);
                 if (found == meanings.end())
-                    throw CLI::ValidationError(fmt::format("{}: \"{}\" is none of {}", name, text, list));
+                    throw CLI::ValidationError(fmt::format("{}: \"{}\" is not one of {}", name, text, list));
                 value = found->second;
             },
             fmt::format("{}: {}", help, list))
@@ -45,13 +45,13 @@ CLI::Option* addOptional(CLI::App& app, const char* name, std::optional<T>& valu
 void addViewOptions(CLI::App& app, ViewOptions& view, std::string& size);
 Result<void> checkView(ViewOptions& view, const std::string& size);
 
-/// --technique, as the terms it stands for.
+/// --technique, as its set of terms.
 void addTechnique(CLI::App& app, std::optional<TermSet>& terms, const std::string& help);
 
 void addShadowSize(CLI::App& app, std::uint32_t& size);
 Result<void> checkShadowSize(std::uint32_t size);
 
-// Each command's own: options as written, and whether they make sense together.
+// Each command's own options as written, and checks of their combinations.
 void addRender(CLI::App& app, RenderOptions& options, std::string& size);
 Result<void> checkRender(RenderOptions& options, bool outputGiven);
 void addExplain(CLI::App& app, ExplainOptions& options, std::string& size);

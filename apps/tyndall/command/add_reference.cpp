@@ -14,12 +14,12 @@ void addReference(CLI::App& app, ReferenceOptions& options, std::string& size) {
         ->required()
         ->type_name("IMAGE.exr");
     addChoice(app, "--mode", options.mode, modeWords,
-              "shadows and surfaces of the triangles themselves, or the renderer's own shadow maps and depth");
+              "shadows and surfaces from the triangles, or from the renderer's shadow maps and depth");
     addTechnique(app, options.terms, "leave out of every light what this technique of slices.fx leaves out");
     app.add_option("--accuracy", options.accuracy, "relative error of each pixel, 1e-12 to 1; 1e-8")->type_name("E");
     app.add_option("--threads", options.threads, "0: one for each processor")->type_name("N");
     addShadowSize(app, options.shadowSize);
-    addOptional(app, "--stats", options.stats, "FILE.json", "what it took, and the accuracy reached");
+    addOptional(app, "--stats", options.stats, "FILE.json", "time, memory, and the accuracy reached");
 }
 
 Result<void> checkReference(const ReferenceOptions& options, bool shadowSizeGiven) {

@@ -13,18 +13,18 @@ void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts, SliceCoun
     addChoice(app, "--layer", view.layer, layerWords, "what to draw");
     addTechnique(app, shafts.plan.terms, "technique of slices.fx for every light");
     addChoice(app, "--accum", shafts.plan.accumulation, accumulationWords, "where slices are added up");
-    addOptional(app, "--planes", slices.planes, "N", "so many equal slices a light, 1 to 65536; as many as needed");
-    addOptional(app, "--most-slices", slices.maxSlices, "N",
-                "where they are as many as needed, not more a light than that, 1 to 65536; 256");
+    addOptional(app, "--planes", slices.planes, "N", "number of equal slices a light, 1 to 65536; as many as needed");
+    addOptional(app, "--max-slices", slices.maxSlices, "N",
+                "maximum number of slices a light without --planes, 1 to 65536; 256");
     addChoice(app, "--geometry", shafts.plan.geometry, geometryWords, "how slices become triangles");
     addChoice(app, "--look", shafts.plan.look, lookWords, "constants that weigh a slice");
     addOptional(app, "--range", shafts.range, "R",
-                "radiance that 8-bit targets call 1; estimated from above from the lights");
+                "radiance of the value 1 in 8-bit targets; an upper estimate from the lights");
     addShadowSize(app, shafts.plan.shadowMapSize);
     addOptional(app, "--exposure", shafts.exposure, "EV",
                 "stops by which a .png is brightened; from the picture's log-average");
     app.add_flag("--force-all", shafts.plan.everything,
-                 "leave nothing out, to compare with: every light with every term");
+                 "leave nothing out, for comparison: every light with every term");
 }
 
 void resolveSlices(const SliceCount& asked, PlanOptions& plan) {
@@ -45,9 +45,9 @@ void addRender(CLI::App& app, RenderOptions& options, std::string& size) {
     addShafts(app, options.view, options.shafts, options.slices);
     app.add_option("-o,--output", options.output, "picture to write, .png (tone-mapped) or .exr (linear)")
         ->type_name("IMAGE");
-    addOptional(app, "--stats", options.stats, "FILE.json", "what was drawn, and what it took");
+    addOptional(app, "--stats", options.stats, "FILE.json", "what was drawn, with times and memory");
     addOptional(app, "--pipeline-cache", options.pipelineCache, "FILE",
-                "where pipelines are kept between runs, or none; tyndall/ in the user's cache folder");
+                "file that keeps pipelines between runs, or none; in tyndall/ in the user's cache folder");
     app.add_flag("--validate", options.validate, "fail on any message of Vulkan's validation layers");
 }
 
@@ -61,13 +61,13 @@ Result<void> checkShafts(ShaftOptions& shafts, const SliceCount& slices) {
     if (slices.planes && (*slices.planes < 1 || *slices.planes > 65536))
         return fail("--planes: {} is out of bounds; take from 1 to 65536", *slices.planes);
     if (slices.maxSlices && (*slices.maxSlices < 1 || *slices.maxSlices > 65536))
-        return fail("--most-slices: {} is out of bounds; take from 1 to 65536", *slices.maxSlices);
+        return fail("--max-slices: {} is out of bounds; take from 1 to 65536", *slices.maxSlices);
     if (slices.maxSlices && (slices.planes || shafts.plan.look == Look::Article))
-        return fail("--most-slices: bounds slices that are as many as needed; leave {} out",
+        return fail("--max-slices: has no effect with {0}; leave {0} out",
                     slices.planes ? "--planes" : "--look article");
     if (slices.planes && shafts.plan.accumulation == Accumulation::Rgba8Routed && *slices.planes % 4 != 0)
         return fail(
-            "--planes: {} slices cannot be spread evenly over four channels; with --accum rgba8-routed take a "
+            "--planes: {} slices cannot be divided evenly over four channels; with --accum rgba8-routed take a "
             "multiple of 4",
             *slices.planes);
     if (shafts.exposure && !(std::abs(*shafts.exposure) <= 64.0))

@@ -5,7 +5,7 @@
 namespace tyndall::app {
 
 Result<void> checkOutputs(const std::string& scene, const std::string& picture,
-                           const std::optional<std::string>& stats) {
+                          const std::optional<std::string>& stats) {
     if (auto open = checkWritable(picture); !open) return open;
     if (sameFile(picture, scene)) return fail("-o: {} is the scene; name another file", picture);
     if (!stats) return {};

@@ -1,15 +1,15 @@
-// Whether the files that a command is to write can be written, asked before work of seconds or hours begins.
+// Checks that a command's output files can be written, before work of seconds or hours begins.
 #pragma once
+
+#include <kit/fail.h>
 
 #include <optional>
 #include <string>
 
-#include <kit/fail.h>
-
 namespace tyndall::app {
 
-/// Neither takes the other's place nor that of the scene.
+/// The files must differ from each other and from the scene.
 Result<void> checkOutputs(const std::string& scene, const std::string& picture,
-                           const std::optional<std::string>& stats);
+                          const std::optional<std::string>& stats);
 
 }  // namespace tyndall::app

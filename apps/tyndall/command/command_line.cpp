@@ -14,12 +14,12 @@ struct Written {
     CompareOptions compare;
 };
 
-/// The parser's own words, but where they would only repeat what was typed.
+/// The parser's message, unless it would only repeat the input.
 std::string wrongLine(const CLI::App& app, const CLI::ParseError& wrong, int argc, const char* const* argv) {
     std::string names;
     const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
     for (const CLI::App* command : commands) names += (names.empty() ? "" : ", ") + command->get_name();
-    if (argc < 2) return fmt::format("say what to do: {}; see tyndall --help", names);
+    if (argc < 2) return fmt::format("give a command: {}; see tyndall --help", names);
     const bool known = std::any_of(commands.begin(), commands.end(),
                                    [&](const CLI::App* command) { return command->get_name() == argv[1]; });
     if (!known && argv[1][0] != '-')
@@ -42,11 +42,11 @@ Result<Request> parseCommandLine(int argc, const char* const* argv) {
     app.set_version_flag("--version", "tyndall " TYNDALL_VERSION "\n");
     CLI::App* render = app.add_subcommand("render", "draws a scene with its light shafts");
     addRender(*render, written.render, written.size);
-    CLI::App* explain = app.add_subcommand("explain", "says what would be drawn, and why");
+    CLI::App* explain = app.add_subcommand("explain", "describes what would be drawn, and why");
     addExplain(*explain, written.explain, written.size);
-    CLI::App* reference = app.add_subcommand("reference", "computes a scene's shafts to many digits");
+    CLI::App* reference = app.add_subcommand("reference", "computes a scene's shafts with high accuracy");
     addReference(*reference, written.reference, written.size);
-    CLI::App* compare = app.add_subcommand("compare", "says how far a picture is from its reference");
+    CLI::App* compare = app.add_subcommand("compare", "measures the difference of a picture and its reference");
     addCompare(*compare, written.compare);
 
     try {

@@ -1,4 +1,4 @@
-// What the command line asks for.
+// Parses the command line.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace tyndall::app {
 
-/// Text that was asked for (--help, --version).
+/// The text of --help or --version.
 struct Help {
     std::string text;
 };
 
 using Request = std::variant<RenderOptions, ExplainOptions, ReferenceOptions, CompareOptions, Help>;
 
-/// Errors: the command line is wrong, and how to say it right.
+/// Errors: the command line is wrong; the message says how to correct it.
 Result<Request> parseCommandLine(int argc, const char* const* argv);
 
 }  // namespace tyndall::app

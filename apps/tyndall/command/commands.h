@@ -1,17 +1,17 @@
-// The program's commands, after the command line was understood. They return; main() prints and exits.
+// The program's commands, after parsing. They return; main() prints and exits.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "options.h"
 #include "../progress.h"
+#include "options.h"
 
 namespace tyndall::app {
 
-/// What a command has to say: `output` is its result (standard output), `notes` go beside it. `verdict`, where
-/// there is one, says what the result fails: the work was done, and its answer is no.
+/// A command's output: `output` is its result (standard output), `notes` go to standard error. `verdict`, if present,
+/// says which limit the result fails: the work was done, but the result is too bad.
 struct CommandOutput {
     std::string output;
     std::vector<std::string> notes;
@@ -20,7 +20,7 @@ struct CommandOutput {
 
 Result<CommandOutput> render(const RenderOptions& options);
 Result<CommandOutput> explain(const ExplainOptions& options);
-/// `progress` is asked now and then whether to go on.
+/// `progress` is called regularly; false stops the work.
 Result<CommandOutput> reference(const ReferenceOptions& options, const Progress& progress);
 Result<CommandOutput> compare(const CompareOptions& options);
 

@@ -18,9 +18,9 @@ Result<void> checkDifference(const std::string& path, const CompareOptions& opti
     return checkWritable(path);
 }
 
-/// Returns what the picture shows.
+/// Returns a sentence about the picture.
 Result<std::string> writeDifference(const std::string& path, const Comparison& comparison,
-                                     const CompareOptions& options) {
+                                    const CompareOptions& options) {
     const Image signedDifference = difference(comparison.image.image, comparison.reference.image);
     if (pictureFormat(path) == PictureFormat::Exr) {
         if (auto done = writeExr(path, signedDifference, comparison.image.channels); !done)
@@ -50,7 +50,8 @@ Result<CommandOutput> compare(const CompareOptions& options) {
     comparison.reference = std::move(*reference);
     auto metrics = study::compare(comparison.image.image, comparison.reference.image,
                                   {.bandingThreshold = options.bandingThreshold});
-    if (!metrics) return fail("{} cannot be compared with {}: {}", options.image, options.reference, metrics.error().message);
+    if (!metrics)
+        return passOn(metrics.error(), fmt::format("{} cannot be compared with {}", options.image, options.reference));
     comparison.metrics = *metrics;
     if (comparison.image.channels != comparison.reference.channels)
         return fail(

@@ -14,19 +14,19 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
     return text;
 }
 
-std::string placeText(const Comparison& comparison, const PixelIndex& place) {
-    return fmt::format("{} of pixel ({}, {})", comparison.image.channels[static_cast<std::size_t>(place.channel)],
-                       place.x, place.y);
+std::string pixelText(const Comparison& comparison, const PixelIndex& pixel) {
+    return fmt::format("{} of pixel ({}, {})", comparison.image.channels[static_cast<std::size_t>(pixel.channel)],
+                       pixel.x, pixel.y);
 }
 
-ordered_json placeReport(const Comparison& comparison, const PixelIndex& place) {
-    return {{"x", place.x},
-            {"y", place.y},
-            {"channel", comparison.image.channels[static_cast<std::size_t>(place.channel)]}};
+ordered_json pixelReport(const Comparison& comparison, const PixelIndex& pixel) {
+    return {{"x", pixel.x},
+            {"y", pixel.y},
+            {"channel", comparison.image.channels[static_cast<std::size_t>(pixel.channel)]}};
 }
 
 ordered_json sampleReport(const Comparison& comparison, const study::Sample& sample) {
-    ordered_json report = placeReport(comparison, sample.place);
+    ordered_json report = pixelReport(comparison, sample.place);
     report["image"] = sample.image;
     report["reference"] = sample.reference;
     return report;
@@ -34,18 +34,18 @@ ordered_json sampleReport(const Comparison& comparison, const study::Sample& sam
 
 ordered_json nonFiniteReport(const Comparison& comparison, const study::NonFinite& values) {
     ordered_json report{{"nan", values.nan}, {"infinite", values.infinite}};
-    if (values.first) report["first"] = placeReport(comparison, *values.first);
+    if (values.first) report["first"] = pixelReport(comparison, *values.first);
     return report;
 }
 
 std::string nonFiniteText(const Comparison& comparison, const char* whose, const study::NonFinite& values) {
     return fmt::format("{} holds {} NaN and {} infinite values, the first at {}", whose, values.nan, values.infinite,
-                       placeText(comparison, *values.first));
+                       pixelText(comparison, *values.first));
 }
 
 std::string worstText(const Comparison& comparison) {
     const study::Sample& worst = comparison.metrics.worst;
-    return fmt::format("{}: {:g} instead of {:g}", placeText(comparison, worst.place), worst.image, worst.reference);
+    return fmt::format("{}: {:g} instead of {:g}", pixelText(comparison, worst.place), worst.image, worst.reference);
 }
 
 std::string pictureLine(const char* role, const std::string& path, const ReadPicture& picture) {
@@ -60,14 +60,14 @@ ordered_json pictureReport(const std::string& path, const ReadPicture& picture) 
 std::string bandText(const Comparison& comparison) {
     const study::Banding& band = comparison.metrics.banding;
     return fmt::format("{} equal pixels {} from {}, while the reference moves by {:.3g} ({:.3g} %)", band.longestRun,
-                       band.alongRow ? "along the row" : "down the column", placeText(comparison, band.start),
+                       band.alongRow ? "along the row" : "down the column", pixelText(comparison, band.start),
                        band.change, 100.0 * band.relativeChange);
 }
 
 std::string deadZoneText(const Comparison& comparison) {
     const study::DeadZone& dead = comparison.metrics.deadZone;
-    return fmt::format("{} values ({:.3g} %) are 0 where the reference is not, which is up to {:.3g} at {}", dead.count,
-                       100.0 * dead.share, std::abs(dead.largest.reference), placeText(comparison, dead.largest.place));
+    return fmt::format("{} values ({:.3g} %) are 0 but not in the reference, which is up to {:.3g} at {}", dead.count,
+                       100.0 * dead.share, std::abs(dead.largest.reference), pixelText(comparison, dead.largest.place));
 }
 
 ordered_json figuresReport(const Comparison& comparison, const CompareOptions& options) {
@@ -83,7 +83,7 @@ ordered_json figuresReport(const Comparison& comparison, const CompareOptions& o
         report["banding"] = {{"threshold", options.bandingThreshold}, {"longestRun", metrics.banding.longestRun}};
     if (metrics.banding.longestRun > 0) {
         band["along"] = metrics.banding.alongRow ? "row" : "column";
-        band["start"] = placeReport(comparison, metrics.banding.start);
+        band["start"] = pixelReport(comparison, metrics.banding.start);
         band["change"] = metrics.banding.change;
         band["relativeChange"] = metrics.banding.relativeChange;
     }
@@ -92,7 +92,7 @@ ordered_json figuresReport(const Comparison& comparison, const CompareOptions& o
     return report;
 }
 
-/// The members of figuresReport() for pictures without a place where both values are finite.
+/// The members of figuresReport() for pictures that have no finite pair of values.
 ordered_json noFigures(const CompareOptions& options) {
     return {{"relativeL2", nullptr},
             {"relativeMeanSquare", nullptr},

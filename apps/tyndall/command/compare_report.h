@@ -1,4 +1,4 @@
-// The figures of a comparison as JSON and as text, and what they fail.
+// The figures of a comparison as JSON and as text, and the limits that they fail.
 #pragma once
 
 #include <kit/image/read_picture.h>
@@ -17,12 +17,12 @@ struct Comparison {
     study::Metrics metrics;
 };
 
-/// Infinite figures are null: JSON has no infinity. So are all figures where nothing could be compared.
+/// Infinite figures are null, because JSON has no infinity. All figures are null if nothing could be compared.
 nlohmann::ordered_json compareReport(const Comparison& comparison, const CompareOptions& options);
 
 std::string compareText(const Comparison& comparison, const CompareOptions& options);
 
-/// One sentence that names each figure out of bounds with its pixel; values that are not finite are always.
+/// One sentence that names each figure out of bounds with its pixel. Values that are not finite always fail.
 std::optional<std::string> verdict(const Comparison& comparison, const CompareOptions& options);
 
 }  // namespace tyndall::app

@@ -8,8 +8,8 @@
 namespace tyndall::app {
 namespace {
 
-/// Plans as render does: with the scene's depth, and the exposure of its surfaces. Both have to be drawn; where no
-/// device can, the plan does without them.
+/// Plans as render does: with the scene's depth, and the exposure of its surfaces. Both must be drawn; without a
+/// device, the plan does not use them.
 Result<void> planAsDrawn(PlannedScene& planned, const ExplainOptions& options) {
     auto device = headless::Device::create();
     if (!device) return planWithoutDepth(planned, options.view, options.shafts);

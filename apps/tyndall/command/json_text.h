@@ -6,8 +6,7 @@
 
 namespace tyndall::app {
 
-/// Indented, with a newline at the end. Names that are no UTF-8, as file systems allow, get U+FFFD in place of
-/// what is none.
+/// Indented, with a newline at the end. Bytes that are not UTF-8, as file systems allow them, become U+FFFD.
 inline std::string jsonText(const nlohmann::ordered_json& json) {
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

@@ -5,7 +5,7 @@
 namespace tyndall::app {
 namespace {
 
-/// Tells which of the plan's data was met before.
+/// Remembers which of the plan's data was counted already.
 class Once {
 public:
     explicit Once(std::size_t size) : met_(size) {}

@@ -1,4 +1,4 @@
-// What each light of a plan costs.
+// The cost of each light of a plan.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -13,12 +13,12 @@ namespace tyndall::app {
 
 struct LightCost {
     double fragments = 0.0;           ///< see tyndall::expectedFragments()
-    std::uint64_t geometryBytes = 0;  ///< vertices, indices, constants; of what lights share, the first bears all
+    std::uint64_t geometryBytes = 0;  ///< vertices, indices, constants; shared data counts for the first light
     std::uint64_t shadowMapBytes = 0;
     std::vector<double> parts;  ///< fragments of each of its parts, in the plan's order
 };
 
-/// By light; together they are the plan's.
+/// By light; the sum is the plan's cost.
 std::vector<LightCost> lightCosts(const Plan& plan, const View& view, const Size& picture, std::uint32_t shadowSize);
 
 LightCost sum(const std::vector<LightCost>& costs);

@@ -15,9 +15,8 @@ Result<Size> parseSize(const std::string& text) {
     const auto overflows = std::errc::result_out_of_range;
     const bool tooLong = width.ec == overflows || height.ec == overflows;
     if (!tooLong && (!split || height.ec != std::errc{} || height.ptr != end))
-        return fail("--size: \"{}\" is no size; write width and height in pixels, like 640x360", text);
-    if (tooLong || size.width == 0 || size.height == 0 || size.width > longestSide ||
-        size.height > longestSide)
+        return fail("--size: \"{}\" is not a size; write width and height in pixels, like 640x360", text);
+    if (tooLong || size.width == 0 || size.height == 0 || size.width > longestSide || size.height > longestSide)
         return fail("--size: {} is out of bounds; each side must be from 1 to {}", text, longestSide);
     return size;
 }

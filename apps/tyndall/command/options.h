@@ -1,6 +1,7 @@
-// What can be asked of the program, after the command line was understood.
+// The program's options, after parsing.
 #pragma once
 
+#include <kit/fail.h>
 #include <study/reference.h>
 
 #include <cstdint>
@@ -9,11 +10,10 @@
 
 #include "../frame/shaft_options.h"
 #include "../frame/view_options.h"
-#include <kit/fail.h>
 
 namespace tyndall::app {
 
-/// How many slices, as asked for; checkShafts() writes it into PlanOptions.
+/// The number of slices as given; checkShafts() writes it into PlanOptions.
 struct SliceCount {
     std::optional<int> planes;     ///< this many equal slabs a light; absent: as many as needed
     std::optional<int> maxSlices;  ///< at most this many; absent: defaultMaxSlices
@@ -37,7 +37,7 @@ struct ExplainOptions {
 };
 
 struct ReferenceOptions {
-    ViewOptions view;  ///< its layer is not looked at: a reference is of the shafts alone
+    ViewOptions view;  ///< its layer is ignored: a reference has the shafts only
     std::string output;
     study::Mode mode = study::Mode::Ideal;
     std::optional<TermSet> terms;  ///< absent: each light's own
@@ -47,7 +47,7 @@ struct ReferenceOptions {
     std::optional<std::string> stats;
 };
 
-/// What a picture may be off by; absent: anything.
+/// Limits of a comparison; absent: no limit.
 struct Limits {
     std::optional<double> relativeL2, relativeMeanSquare, absolute, energy, deadZone;
     std::optional<int> run;

@@ -1,4 +1,4 @@
-// Most memory that this process ever had in RAM.
+// The maximum memory of this process in RAM.
 #pragma once
 
 #include <sys/resource.h>

@@ -37,9 +37,9 @@ Result<CommandOutput> reference(const ReferenceOptions& options, const Progress&
     auto start = std::chrono::steady_clock::now();
     auto viewed = viewScene(options.view);
     if (!viewed) return tl::unexpected(viewed.error());
-    for (std::size_t i = 0; i < viewed->lights.size(); ++i)  // nothing in its volume, nothing to ask for
+    for (std::size_t i = 0; i < viewed->lights.size(); ++i)  // without instances in its volume no shadow map is needed
         viewed->lights[i].shadow = viewed->lights[i].shadow && !viewed->instancesInLight[i].empty();
-    if (options.terms)  // where a light lacks a term, the renderer draws with a neutral texture
+    if (options.terms)  // if a light lacks a term, the renderer draws with a neutral texture
         for (Light& light : viewed->lights) light = keepOnly(std::move(light), *options.terms);
     const auto scene = sceneFor(options, *viewed, run);
     if (!scene) return tl::unexpected(scene.error());
@@ -55,7 +55,7 @@ Result<CommandOutput> reference(const ReferenceOptions& options, const Progress&
                      return wanted;
                  }});
     if (!wanted) return fail("{}", interrupted);
-    if (!image) return fail("{}: {}", options.view.scene, image.error().message);
+    if (!image) return passOn(image.error(), options.view.scene);
     run.integrating = seconds(start);
 
     if (auto written = writePicture(options.output, radianceOf(*image), std::nullopt); !written)

@@ -38,11 +38,11 @@ nlohmann::ordered_json referenceReport(const ReferenceOptions& options, const Vi
         report["triangles"] = run.triangles;
     }
     nlohmann::ordered_json& lights = report["lights"] = nlohmann::ordered_json::array();
-    for (const Light& light : viewed.lights)
-        lights.push_back({{"name", light.name},
-                          {"cookie", light.cookie},
-                          {"shadow", light.shadow},
-                          {"noise", light.noise.has_value()}});
+    for (const Light& light : viewed.lights) {
+        nlohmann::ordered_json& entry = lights.emplace_back();
+        entry["name"] = light.name;
+        for (const Term term : allTerms) entry[nameOf(term)] = termsOf(light).contains(term);
+    }
     const Pixel worst = leastAccurate(image);
     report["accuracy"] = {{"asked", options.accuracy},
                           {"reached", image.largestBound},

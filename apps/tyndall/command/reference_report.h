@@ -1,4 +1,4 @@
-// What computing a reference took, and how accurate it became, as JSON and as text.
+// The cost and accuracy of a reference, as JSON and as text.
 #pragma once
 
 #include <study/reference.h>
@@ -13,18 +13,18 @@ namespace tyndall::app {
 
 struct ReferenceRun {
     double preparing = 0.0, integrating = 0.0;  ///< seconds
-    std::size_t triangles = 0;                  ///< that rays meet; 0 in the hardware mode, which has maps instead
+    std::size_t triangles = 0;                  ///< for ray tests; 0 in the hardware mode, which has maps instead
     std::string device;                         ///< that drew the maps; empty in the ideal mode
 };
 
-/// For `reference --stats`. The technique is null where each light kept its own terms.
+/// For `reference --stats`. The technique is null if each light has its own terms.
 nlohmann::ordered_json referenceReport(const ReferenceOptions& options, const ViewedScene& viewed,
                                        const study::ReferenceImage& image, const ReferenceRun& run);
 
-/// Half a line.
+/// A part of a line.
 std::string referenceText(const study::ReferenceImage& image, const ReferenceRun& run);
 
-/// A warning for an image whose bound is above the accuracy asked for, with the worst pixel.
+/// A warning for an image whose bound is above the requested accuracy, with the worst pixel.
 std::string shortfall(const ReferenceOptions& options, const study::ReferenceImage& image);
 
 }  // namespace tyndall::app

@@ -15,7 +15,7 @@
 namespace tyndall::app {
 namespace {
 
-/// What cannot be used as a cache is a note later on; another file's place is a mistake in the command.
+/// An unusable cache file gives only a note later; the path of the scene or an output is an error.
 Result<void> checkPipelineCache(const RenderOptions& options) {
     if (!options.pipelineCache || *options.pipelineCache == noPipelineCache) return {};
     const std::string& cache = *options.pipelineCache;
@@ -30,14 +30,14 @@ Result<void> checkPipelineCache(const RenderOptions& options) {
 }  // namespace
 
 Result<CommandOutput> render(const RenderOptions& options) {
-    // What can be known to fail is asked first: rendering takes seconds.
+    // Checks come first, because rendering takes seconds.
     if (auto checked = checkOutputs(options.view.scene, options.output, options.stats); !checked)
         return tl::unexpected(checked.error());
     if (auto checked = checkPipelineCache(options); !checked) return tl::unexpected(checked.error());
     auto planned = prepareScene(options.view);
     if (!planned) return tl::unexpected(planned.error());
     auto device = headless::Device::create({.validation = options.validate});
-    if (!device) return fail("{}", device.error().message);
+    if (!device) return tl::unexpected(device.error());
     CommandOutput result;
     auto cache = PipelineCacheFile::open(*device, options.pipelineCache, result.notes);
     auto renderer = SceneRenderer::create(*device, planned->scene, cache.handle());

@@ -37,7 +37,7 @@ std::string slicesText(const ShaftOptions& shafts) {
 }
 
 struct Costs {
-    std::vector<LightCost> planned, forced;  ///< by light; forced is empty where there would be too many slices
+    std::vector<LightCost> planned, forced;  ///< by light; forced is empty if it would need too many slices
 };
 
 Costs costsOf(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
@@ -47,7 +47,7 @@ Costs costsOf(const PlannedScene& planned, const ViewOptions& view, const ShaftO
     return costs;
 }
 
-/// Shadow maps that surfaces call for and slices do not.
+/// Shadow maps that only surfaces need.
 std::size_t mapsForSurfacesAlone(const PlannedScene& planned, const ViewOptions& view) {
     if (view.layer != Layer::All) return 0;
     std::size_t maps = 0;
@@ -78,7 +78,7 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
     report["accumulation"] = wordFor(accumulationWords, shafts.plan.accumulation);
     report["geometry"] = wordFor(geometryWords, shafts.plan.geometry);
     report["look"] = wordFor(lookWords, shafts.plan.look);
-    report["mostSlices"] = planned.options.slices;
+    report["maxSlices"] = planned.options.slices;
     report["spacing"] = planned.options.spacing == Spacing::Even ? "even" : "adaptive";
     report["range"] = planned.range;
     report["displayStep"] = planned.displayStep;
@@ -179,7 +179,7 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
         fmt::format("{}: camera \"{}\", {}x{}, at {:g} s; {} as {}, added up in {}\n", view.scene, planned.camera->name,
                     view.size.width, view.size.height, view.time, slicesText(shafts),
                     wordFor(geometryWords, shafts.plan.geometry), wordFor(accumulationWords, shafts.plan.accumulation));
-    if (!planned.depth) text += "planned without the scene's depth: nothing counts as hidden by a surface\n";
+    if (!planned.depth) text += "planned without the scene's depth: surfaces are assumed to hide nothing\n";
     const Costs costs = costsOf(planned, view, shafts);
     std::vector<std::vector<const PlannedPart*>> parts(planned.plan.lights.size());
     for (const PlannedPart& part : planned.plan.parts) parts[part.light].push_back(&part);

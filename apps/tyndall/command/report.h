@@ -9,7 +9,7 @@
 
 namespace tyndall::app {
 
-/// Lights as planned, lights left out, the settings of the view; the common part of both reports.
+/// Planned lights, lights left out, settings of the view: the common part of both reports.
 nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
 /// For `render --stats`.

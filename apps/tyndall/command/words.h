@@ -1,4 +1,4 @@
-// Names of settings as the command line and the statistics spell them.
+// Names of settings on the command line and in the statistics.
 #pragma once
 
 #include <study/reference.h>

@@ -1,4 +1,4 @@
-// This program's threads, for libraries that make none.
+// A parallel loop for libraries that create no threads.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace tyndall::app {
 
-/// A tyndall::ParallelFor over as many threads as there are cores, this one included. Where the system gives fewer
-/// threads, those do all the work. Of exceptions that jobs throw the first comes back, once all threads have ended.
+/// A tyndall::ParallelFor with one thread per core, the calling thread included. If the system gives fewer threads,
+/// those do all the work. The first exception of a job is rethrown after all threads have ended.
 void onAllCores(std::size_t count, const std::function<void(std::size_t)>& job);
 
 }  // namespace tyndall::app

@@ -12,12 +12,12 @@ namespace tyndall::app {
 namespace {
 
 constexpr int columns = 32, rows = 18, steps = 256;
-// A cell in which light may be so many times brighter than on any ray so far is cut in four, so many times.
+// A cell that may be this many times brighter than every ray so far is divided in four, up to this many times.
 constexpr double tooWide = 1.2;
 constexpr int maxCuts = 3;
 constexpr double smallest = 1e-9;
 
-/// Metres from the eye to the farthest air that any light fills and the view can show.
+/// Metres from the eye to the farthest lit air in the view.
 double farthestLit(std::span<const Light> lights, const View& view) {
     double farthest = view.nearPlane * 2.0;
     for (const Light& light : lights) {
@@ -43,23 +43,23 @@ double scattered(const Light& light, const glm::dmat4& lightFromWorld, const glm
     return brightest * light.density / (4.0 * std::numbers::pi) * (light.intensity / glm::dot(p, p) + light.ambient);
 }
 
-/// Of the picture, in clip space.
+/// A cell of the picture, in clip space.
 struct Cell {
     double x, y, halfWidth, halfHeight;
 };
 
 /// A step of the view ray through the middle of a cell of the grid.
 struct Step {
-    glm::dvec3 middle, toEye;  ///< world space; the latter of unit length
+    glm::dvec3 middle, toEye;  ///< world space; toEye has unit length
     double fromEye;            ///< metres along the ray from the eye, or the plane of depth 0
     double angle, width;       ///< from the ray to the cell's corners, in radians and in metres at the step
 };
 
 struct Range {
-    double middle = 0.0, bound = 0.0;  ///< on the ray through a cell's middle; on any of the cell's rays
+    double middle = 0.0, bound = 0.0;  ///< on the ray through a cell's middle; on all of the cell's rays
 };
 
-/// phase * transmittance; the bound is that with the largest phase function and the shortest way.
+/// phase * transmittance; the bound uses the largest phase function and the shortest path.
 Range shareOfAir(const Light& light, const Step& step) {
     const glm::dvec3 lamp(light.worldFromLight[3]), fromLamp = step.middle - lamp;
     const double distance = glm::length(fromLamp);
@@ -79,7 +79,7 @@ Range shareOfAir(const Light& light, const Step& step) {
     return share;
 }
 
-/// Of what the light is drawn with.
+/// For the parts that the light is drawn with.
 bool scatters(const Light& light, const PlanOptions& options) {
     return options.look == Look::Physical && (light.anisotropy != 0.0 || light.albedo) &&
            (!options.terms || options.terms->contains(Term::Scattering));
@@ -92,9 +92,9 @@ double automaticRange(std::span<const Light> lights, const View& view, const Pla
     for (const Light& light : lights) lightFromWorld.push_back(glm::inverse(light.worldFromLight));
     const double farthest = farthestLit(lights, view);
     const glm::dmat4 viewFromClip = glm::inverse(view.clipFromView);
-    // The article adds a constant for each of its slices, whatever its thickness.
-    const double perStep =
-        options.look == Look::Article ? article::weight * article::flatDust / steps : (farthest - view.nearPlane) / steps;
+    // The article adds a constant for each of its slices, independent of the thickness.
+    const double perStep = options.look == Look::Article ? article::weight * article::flatDust / steps
+                                                         : (farthest - view.nearPlane) / steps;
     const auto rayAt = [&](double x, double y) {  // start on the near plane and direction for a metre of depth
         const glm::dvec4 onNear = viewFromClip * glm::dvec4(x, y, 1.0, 1.0);  // reversed depth: 1 is near
         const glm::dvec3 start(onNear / onNear.w);
@@ -104,9 +104,9 @@ double automaticRange(std::span<const Light> lights, const View& view, const Pla
         const auto [start, direction] = rayAt(cell.x, cell.y);
         const glm::dvec3 origin = view.orthographic ? glm::dvec3(start.x, start.y, 0.0) : glm::dvec3(0.0);
         const double slant = glm::length(direction);
-        // Equal cells take larger angles near the picture's middle: the corner towards it is the farthest.
-        const auto [corner, outermost] = rayAt(cell.x - std::copysign(cell.halfWidth, cell.x),
-                                               cell.y - std::copysign(cell.halfHeight, cell.y));
+        // Equal cells have larger angles near the picture's middle: the corner towards it is the farthest.
+        const auto [corner, outermost] =
+            rayAt(cell.x - std::copysign(cell.halfWidth, cell.x), cell.y - std::copysign(cell.halfHeight, cell.y));
         const double angle = std::atan2(glm::length(glm::cross(direction, outermost)), glm::dot(direction, outermost));
         const double width = view.orthographic ? glm::distance(start, corner) : 0.0;
         const glm::dvec3 toEye(view.worldFromView * glm::dvec4(-direction / slant, 0.0));

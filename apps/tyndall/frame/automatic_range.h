@@ -1,4 +1,4 @@
-// The radiance that an 8-bit accumulation target should call 1.
+// The radiance of the value 1 in an 8-bit accumulation target.
 #pragma once
 
 #include <tyndall/light.h>
@@ -9,11 +9,10 @@
 
 namespace tyndall::app {
 
-/// An estimate from above: the brightest of a coarse grid of view rays through all lights together, as if
-/// nothing threw a shadow, every cookie were white and the noise 1, scaled by the part of the frustum that
-/// the ray crosses. Where air scatters in a direction or takes light away, the grid is refined around the
-/// brightest rays, and what may lie between its rays counts: the phase function's peak is narrow. At least a
-/// tiny positive value.
+/// An upper estimate: the brightest of a coarse grid of view rays through all lights together, without shadows,
+/// with white cookies and noise 1, scaled by the part of the frustum that the ray crosses. With anisotropic
+/// scattering or extinction, the grid is refined around the brightest rays, and a bound covers the directions
+/// between them, because the phase function's peak is narrow. The result is positive.
 double automaticRange(std::span<const Light> lights, const View& view, const PlanOptions& options);
 
 }  // namespace tyndall::app

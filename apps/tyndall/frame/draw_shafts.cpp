@@ -2,8 +2,6 @@
 
 #include <headless/commands.h>
 
-#include "pass_on.h"
-
 namespace tyndall::app {
 
 bool isBlurred(const Plan& plan) {
@@ -23,8 +21,8 @@ std::vector<LightTextures> texturesOf(const PlannedScene& planned, const ShadowM
 }
 
 Result<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
-                         std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
-                         headless::FragmentCounter* counter, FrameStatistics& statistics) {
+                        std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
+                        headless::FragmentCounter* counter, FrameStatistics& statistics) {
     const ShaftTargets shafts{.extent = targets.colour.extent(),
                               .accumulation = targets.accumulation.handle(),
                               .accumulationView = targets.accumulation.view(),
@@ -43,7 +41,7 @@ Result<void> drawShafts(const headless::Device& device, Renderer& renderer, Fram
                 if (counted) counter->end(commands);
                 return recorded;
             });
-            if (!added) return fail("the shafts: {}", added.error().message);
+            if (!added) return passOn(added.error(), "the shafts");
             if (round == 0) continue;
             statistics.accumulate += *added;
             statistics.shafts.draws += renderer.counters().draws - before.draws;
@@ -58,7 +56,7 @@ Result<void> drawShafts(const headless::Device& device, Renderer& renderer, Fram
             headless::fullBarrier(commands);
             return renderer.recordComposite(commands, frame, plan, group, shafts);
         });
-        if (!composited) return fail("the shafts: {}", composited.error().message);
+        if (!composited) return passOn(composited.error(), "the shafts");
         statistics.composite += *composited;
     }
     return {};

@@ -1,4 +1,4 @@
-// The slices of a plan, drawn into a frame.
+// Draws the slices of a plan into a frame.
 #pragma once
 
 #include <headless/statistics.h>
@@ -12,16 +12,16 @@
 
 namespace tyndall::app {
 
-/// Eight bits leave steps between the slices, which a blur hides.
+/// With eight bits the slices show as steps, which a blur hides.
 bool isBlurred(const Plan& plan);
 
-/// What each light has to look up, by light; null where there is nothing on the device.
+/// The textures of each light, by light; null if there is none on the device.
 std::vector<LightTextures> texturesOf(const PlannedScene& planned, const ShadowMaps& maps, const GpuScene& gpu);
 
-/// Draws `plan`, which `frame` holds, over what targets.colour shows. `measure` adds the slices twice and takes the
-/// time of the second, so that no compilation is in it. `counter` may be null.
+/// Draws `plan`, which `frame` holds, over targets.colour. `measure` adds the slices twice and times the
+/// second, so that the time has no compilation in it. `counter` may be null.
 Result<void> drawShafts(const headless::Device& device, Renderer& renderer, FrameData& frame, const Plan& plan,
-                         std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
-                         headless::FragmentCounter* counter, FrameStatistics& statistics);
+                        std::span<const LightTextures> textures, const FrameTargets& targets, bool measure,
+                        headless::FragmentCounter* counter, FrameStatistics& statistics);
 
 }  // namespace tyndall::app

@@ -1,18 +1,17 @@
 #include "frame_targets.h"
 
 #include <kit/fail.h>
-
 #include <tyndall/renderer.h>
 
 namespace tyndall::app {
 namespace {
 
 Result<void> make(const headless::Device& device, headless::Image& image, VkExtent2D extent, VkFormat format,
-                   VkImageUsageFlags usage, std::string_view name) {
+                  VkImageUsageFlags usage, std::string_view name) {
     const VkExtent2D there = image.extent();
     if (there.width == extent.width && there.height == extent.height && image.format() == format) return {};
     auto made = headless::Image::create(device, {.extent = extent, .format = format, .usage = usage, .name = name});
-    if (!made) return fail("a picture of {}x{}: {}", extent.width, extent.height, made.error().message);
+    if (!made) return passOn(made.error(), fmt::format("a picture of {}x{}", extent.width, extent.height));
     image = std::move(*made);
     return {};
 }

@@ -1,10 +1,10 @@
-// What frames are drawn to, kept while their size stays the same.
+// Render targets of frames, kept while their size stays the same.
 #pragma once
 
 #include <headless/image.h>
+#include <kit/fail.h>
 #include <tyndall/plan.h>
 
-#include <kit/fail.h>
 #include "view_options.h"
 
 namespace tyndall::app {
@@ -14,14 +14,14 @@ constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 
 struct FrameTargets {
     headless::Image colour;        ///< COLOR_ATTACHMENT_OPTIMAL once surfaces are drawn
-    headless::Image depth;         ///< reversed, 0 where no surface is; then DEPTH_READ_ONLY_OPTIMAL
+    headless::Image depth;         ///< reversed, 0 without a surface; then DEPTH_READ_ONLY_OPTIMAL
     headless::Image accumulation;  ///< made for the first frame that shows a shaft
 };
 
-/// Makes colour and depth of that size, unless they are there.
+/// Makes colour and depth of that size, unless they exist.
 Result<void> fit(const headless::Device& device, FrameTargets& targets, Size size);
 
-/// Makes the accumulation target, as large as colour and depth, unless it is there.
+/// Makes the accumulation target, as large as colour and depth, unless it exists.
 Result<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation);
 
 }  // namespace tyndall::app

@@ -5,29 +5,29 @@
 namespace tyndall::app {
 namespace {
 
-/// Half floats: linear filtering of them is there on every device (Vulkan 1.3, table 65), of full floats
-/// it is not, and 8 bits would band in dark linear values.
+/// Half floats: every device filters them linearly (Vulkan 1.3, table 65), but not full floats. 8 bits would show
+/// bands in dark linear values.
 constexpr VkFormat imageFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 Result<headless::Image> uploadImage(const headless::Device& device, const Image& source) {
-    auto image = headless::Image::create(device, {.extent = {static_cast<std::uint32_t>(source.width),
-                                                             static_cast<std::uint32_t>(source.height)},
-                                                  .format = imageFormat,
-                                                  .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                                                  .name = "scene texture"});
-    if (!image) return fail("a texture of {}x{}: {}", source.width, source.height, image.error().message);
+    auto image = headless::Image::create(
+        device, {.extent = {static_cast<std::uint32_t>(source.width), static_cast<std::uint32_t>(source.height)},
+                 .format = imageFormat,
+                 .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                 .name = "scene texture"});
+    if (!image) return passOn(image.error(), fmt::format("a texture of {}x{}", source.width, source.height));
     std::vector<glm::uint64> texels(pixelCount(source));
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = glm::packHalf4x16(rgbaOf(source, i));
     if (auto done = headless::upload(device, *image, std::as_bytes(std::span(texels))); !done)
-        return fail("a texture could not be uploaded: {}", done.error().message);
+        return passOn(done.error(), "a texture could not be uploaded");
     return std::move(*image);
 }
 
 template <class T>
 Result<headless::Buffer> hostBuffer(const headless::Device& device, const std::vector<T>& values,
-                                     VkBufferUsageFlags usage, std::string_view name) {
+                                    VkBufferUsageFlags usage, std::string_view name) {
     auto buffer = headless::Buffer::create(device, std::as_bytes(std::span(values)), usage, name);
-    if (!buffer) return fail("the scene's meshes could not be uploaded: {}", buffer.error().message);
+    if (!buffer) return passOn(buffer.error(), "the scene's meshes could not be uploaded");
     return std::move(*buffer);
 }
 
@@ -55,7 +55,7 @@ Result<GpuScene> uploadMeshes(const headless::Device& device, const Scene& scene
 }
 
 Result<void> uploadImages(const headless::Device& device, const Scene& scene, const std::vector<bool>& wanted,
-                           GpuScene& gpu) {
+                          GpuScene& gpu) {
     for (std::size_t i = 0; i < scene.images.size(); ++i) {
         if (!wanted[i] || gpu.images[i].handle()) continue;
         auto image = uploadImage(device, scene.images[i]);

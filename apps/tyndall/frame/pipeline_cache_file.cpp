@@ -14,17 +14,17 @@
 namespace tyndall::app {
 namespace {
 
-/// Larger files are none of this program's; drivers keep some kilobytes for a pipeline.
+/// Larger files are not from this program; drivers keep some kilobytes per pipeline.
 constexpr std::uintmax_t maxBytes = std::uintmax_t{1} << 30;
 
-/// "pipelines-" and the driver's own identity: what one driver wrote is of no use to another.
+/// "pipelines-" and the driver's identity, because drivers cannot use each other's caches.
 std::string fileName(const VkPhysicalDeviceProperties& properties) {
     std::string name = "pipelines-";
     for (const std::uint8_t byte : properties.pipelineCacheUUID) name += fmt::format("{:02x}", byte);
     return name + ".bin";
 }
 
-/// As the XDG Base Directory Specification 0.8 has it: a path that is not absolute counts as not set.
+/// XDG Base Directory Specification 0.8: a path that is not absolute counts as not set.
 std::optional<std::filesystem::path> userCacheFolder() {
     const char* const cache = std::getenv("XDG_CACHE_HOME");
     if (cache && std::filesystem::path(cache).is_absolute()) return cache;
@@ -33,7 +33,7 @@ std::optional<std::filesystem::path> userCacheFolder() {
     return std::nullopt;
 }
 
-/// With the mode that the same specification asks for. A failure shows when the file is written.
+/// With the mode of the same specification. Errors appear when the file is written.
 void makeFolder(const std::filesystem::path& folder) {
     std::error_code error;
     if (folder.empty() || std::filesystem::exists(folder, error)) return;
@@ -41,19 +41,20 @@ void makeFolder(const std::filesystem::path& folder) {
     ::mkdir(folder.c_str(), 0700);
 }
 
-/// Errors: something other than a file, one that cannot be read or is too large.
+/// Errors: not a plain file, cannot be read, too large.
 Result<std::vector<std::byte>> readFile(const std::string& path) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found) return {};
-    if (status.type() == std::filesystem::file_type::none) return fail("cannot be read: {}", error.message());
-    if (status.type() != std::filesystem::file_type::regular) return fail("is no plain file");
+    if (status.type() == std::filesystem::file_type::none)
+        return fail(ErrorCode::File, "cannot be read: {}", error.message());
+    if (status.type() != std::filesystem::file_type::regular) return fail(ErrorCode::File, "is not a plain file");
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error || size > maxBytes) return fail("is larger than any pipeline cache");
     std::vector<std::byte> bytes(size);
     std::ifstream file(path, std::ios::binary);
     file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!file || file.gcount() != static_cast<std::streamsize>(size)) return fail("cannot be read");
+    if (!file || file.gcount() != static_cast<std::streamsize>(size)) return fail(ErrorCode::File, "cannot be read");
     return bytes;
 }
 
@@ -74,15 +75,16 @@ PipelineCacheFile PipelineCacheFile::open(const headless::Device& device, const 
         file.makeFolder_ = true;
     } else {
         notes.push_back(
-            "note: pipelines are not kept, for neither XDG_CACHE_HOME nor HOME names a folder; "
+            "note: pipelines are not kept, because neither XDG_CACHE_HOME nor HOME names a folder; "
             "give a file with --pipeline-cache");
         return file;
     }
     auto bytes = readFile(file.path_);
     file.ours_ = bytes && isSealedPipelineCache(*bytes);
     if (!file.ours_) {
-        notes.push_back(note(file.path_, fmt::format("{}; it is left alone: name another file with --pipeline-cache",
-                                                     bytes ? "is no pipeline cache of this program" : bytes.error().message)));
+        notes.push_back(
+            note(file.path_, fmt::format("{}; it is left unchanged: name another file with --pipeline-cache",
+                                         bytes ? "is not a pipeline cache of this program" : bytes.error().message)));
         file.create({}, notes);
         return file;
     }
@@ -91,7 +93,7 @@ PipelineCacheFile PipelineCacheFile::open(const headless::Device& device, const 
     if (!file.held_.empty()) {
         const auto opened = openPipelineCache(file.held_, file.properties_);
         if (opened) data = *opened;
-        if (!opened) notes.push_back(note(file.path_, opened.error().message + "; pipelines are made anew"));
+        if (!opened) notes.push_back(note(file.path_, opened.error().message + "; pipelines are made again"));
     }
     file.create(data, notes);
     return file;
@@ -112,7 +114,7 @@ void PipelineCacheFile::create(std::span<const std::byte> data, std::vector<std:
         return;
     }
     cache_ = VK_NULL_HANDLE;
-    notes.push_back(note(path_, "the driver makes no pipeline cache of it: " + resultName(result)));
+    notes.push_back(note(path_, "the driver cannot make a pipeline cache from it: " + resultName(result)));
     if (!data.empty()) create({}, notes);
 }
 
@@ -125,9 +127,9 @@ std::optional<std::vector<std::byte>> PipelineCacheFile::data(std::vector<std::s
         result = vkGetPipelineCacheData(device_, cache_, &size, bytes.data());
         bytes.resize(size);
     }
-    // Nothing adds to the cache in between, so VK_INCOMPLETE is no more expected than an error.
+    // The cache does not grow in between, so VK_INCOMPLETE is an error here.
     if (result == VK_SUCCESS) return bytes;
-    notes.push_back(note(path_, "the driver does not hand out its pipeline cache: " + resultName(result)));
+    notes.push_back(note(path_, "the driver does not return its pipeline cache: " + resultName(result)));
     return std::nullopt;
 }
 

@@ -1,5 +1,5 @@
-// A Vulkan pipeline cache that is kept in a file between runs. It saves time and nothing else: whatever is wrong
-// with the file is a note, and pipelines are then made anew.
+// A Vulkan pipeline cache that is kept in a file between runs. It only saves time: if the file is wrong,
+// there is a note, and pipelines are made again.
 #pragma once
 
 #include <headless/device.h>
@@ -14,29 +14,29 @@
 
 namespace tyndall::app {
 
-/// What --pipeline-cache takes in place of a file.
+/// The value of --pipeline-cache for no file.
 constexpr std::string_view noPipelineCache = "none";
 
 class PipelineCacheFile {
 public:
-    /// `asked` as RenderOptions::pipelineCache. A file that is not there makes no note; one that was not sealed for
-    /// this device, was cut short or changed makes one and is not given to the driver.
+    /// `asked` as RenderOptions::pipelineCache. A missing file gives no note. A file that was not sealed for
+    /// this device, was truncated or changed gives a note, and the driver does not get it.
     static PipelineCacheFile open(const headless::Device& device, const std::optional<std::string>& asked,
                                   std::vector<std::string>& notes);
     PipelineCacheFile(PipelineCacheFile&&) noexcept = default;
     PipelineCacheFile& operator=(PipelineCacheFile&&) = delete;
     ~PipelineCacheFile();
 
-    /// Null where none is wanted or could be made.
+    /// Null if none is wanted or could be made.
     VkPipelineCache handle() const { return cache_; }
 
-    /// Writes the cache where it differs from what the file held; makes the user's cache folder where there is none.
-    /// A file that is not this program's is left alone.
+    /// Writes the cache if it differs from the file's content; makes the user's cache folder if it is missing.
+    /// Files of other programs are left unchanged.
     void save(std::vector<std::string>& notes);
 
-    const std::string& path() const { return path_; }           ///< empty where nothing is kept
-    std::size_t bytesLoaded() const { return bytesLoaded_; }    ///< that the driver was given
-    std::size_t bytesWritten() const { return bytesWritten_; }  ///< to the file
+    const std::string& path() const { return path_; }           ///< empty if nothing is kept
+    std::size_t bytesLoaded() const { return bytesLoaded_; }    ///< given to the driver
+    std::size_t bytesWritten() const { return bytesWritten_; }  ///< written to the file
 
 private:
     explicit PipelineCacheFile(const headless::Device& device)
@@ -50,7 +50,7 @@ private:
     VkPipelineCache cache_ = VK_NULL_HANDLE;
     std::string path_;
     bool ours_ = true, makeFolder_ = false;
-    std::vector<std::byte> held_;  ///< by the file, sealed
+    std::vector<std::byte> held_;  ///< the file's content, sealed
     std::size_t bytesLoaded_ = 0, bytesWritten_ = 0;
 };
 

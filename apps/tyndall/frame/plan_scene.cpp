@@ -36,7 +36,7 @@ Result<void> makePlan(PlannedScene& planned, const ViewOptions& view, const Shaf
     planned.options = optionsFor(planned, view, shafts);
     const auto made =
         planned.planner.plan(planned.lights, planned.view, planned.options, surroundingsOf(planned), planned.plan);
-    if (!made) return fail("{}: {}", view.scene, made.error().message);
+    if (!made) return passOn(made.error(), view.scene);
     return {};
 }
 
@@ -48,7 +48,7 @@ Result<PlannedScene> prepareScene(const ViewOptions& view) {
     PlannedScene planned;
     static_cast<ViewedScene&>(planned) = std::move(*viewed);
     auto facts = surveyScene(planned.scene);
-    if (!facts) return fail("{}: {}", view.scene, facts.error().message);
+    if (!facts) return passOn(facts.error(), view.scene);
     planned.facts = std::move(*facts);
     return planned;
 }
@@ -63,7 +63,7 @@ Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, co
     planned.view.sceneDepth = View{}.sceneDepth;
     planned.instancesInLight = instancesByLight(planned.scene, planned.lights);
     if (auto followed = followInstances(planned.facts, planned.scene); !followed)
-        return fail("{}: {}", view.scene, followed.error().message);
+        return passOn(followed.error(), view.scene);
     findRange(planned, shafts);
     if (shafts.plan.everything) {
         planned.surfaceLights = allLights(planned.lights, planned.instancesInLight);
@@ -71,12 +71,12 @@ Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, co
     }
     const auto needed = planned.planner.surfaces(planned.lights, planned.view, shafts.plan.shadowMapSize,
                                                  surroundingsOf(planned.facts), planned.surfaceLights);
-    if (!needed) return fail("{}: {}", view.scene, needed.error().message);
+    if (!needed) return passOn(needed.error(), view.scene);
     return {};
 }
 
 Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
-                              const ShaftOptions& shafts) {
+                             const ShaftOptions& shafts) {
     planned.view.sceneDepth = depth.farthest;
     planned.depth = std::move(depth);
     planned.displayStep = displayStep;
@@ -88,7 +88,7 @@ Result<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view
     options.everything = true;
     options.terms.reset();
     auto made = plan(planned.lights, planned.view, options, surroundingsOf(planned));
-    if (!made) return fail("{}: {}", view.scene, made.error().message);
+    if (!made) return passOn(made.error(), view.scene);
     return std::move(*made);
 }
 

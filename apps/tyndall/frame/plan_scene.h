@@ -1,4 +1,4 @@
-// From a file and options to a plan: what `render` and `explain` have in common.
+// From a file and options to a plan: the common part of `render` and `explain`.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -13,10 +13,10 @@ namespace tyndall::app {
 struct PlannedScene : ViewedScene {
     double range = 1.0;  ///< of 8-bit targets
     SceneFacts facts;
-    std::vector<SurfaceLight> surfaceLights;  ///< by updateSceneFacts()
-    std::optional<DepthSurvey> depth;         ///< what the plan was made with
+    std::vector<SurfaceLight> surfaceLights;  ///< set by updateSceneFacts()
+    std::optional<DepthSurvey> depth;         ///< used for the plan
     double displayStep = 0.0;                 ///< as PlanOptions'
-    PlanOptions options;                      ///< what the plan was made with
+    PlanOptions options;                      ///< used for the plan
     Plan plan;
     Planner planner;  ///< keeps its memory, and so does the plan
 };
@@ -24,18 +24,18 @@ struct PlannedScene : ViewedScene {
 /// Reads the scene and surveys it. Nothing is planned yet.
 Result<PlannedScene> prepareScene(const ViewOptions& view);
 
-/// Plans without the depth of the scene, where no device can draw it: no surface hides a light.
+/// Plans without the depth of the scene, if no device can draw it: no surface hides a light.
 Result<void> planWithoutDepth(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
-/// Call it when camera, lights or instances may have moved. It updates what plan() may know of the scene, and how
-/// each lamp lights the surfaces. The depth of the frame before is forgotten.
+/// Call it when camera, lights or instances may have moved. It updates plan()'s facts about the scene, and how each
+/// lamp lights the surfaces. It discards the depth of the frame before.
 Result<void> updateSceneFacts(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
 /// Plans with the drawn depth and the display's step.
 Result<void> replanWithDepth(PlannedScene& planned, DepthSurvey depth, double displayStep, const ViewOptions& view,
-                              const ShaftOptions& shafts);
+                             const ShaftOptions& shafts);
 
-/// What the plan would be if nothing were left out.
+/// The plan with nothing left out.
 Result<Plan> planEverything(const PlannedScene& planned, const ViewOptions& view);
 
 }  // namespace tyndall::app

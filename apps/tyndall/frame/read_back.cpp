@@ -5,9 +5,9 @@
 namespace tyndall::app {
 
 Result<std::vector<float>> readDepth(const headless::Device& device, const headless::Image& depth,
-                                      VkImageLayout layout) {
+                                     VkImageLayout layout) {
     const auto bytes = headless::readback(device, depth, layout);
-    if (!bytes) return fail("a depth image could not be read back: {}", bytes.error().message);
+    if (!bytes) return passOn(bytes.error(), "a depth image could not be read back");
     std::vector<float> values(bytes->size() / sizeof(float));
     std::memcpy(values.data(), bytes->data(), values.size() * sizeof(float));
     return values;
@@ -15,7 +15,7 @@ Result<std::vector<float>> readDepth(const headless::Device& device, const headl
 
 Result<Image> readPicture(const headless::Device& device, const headless::Image& colour) {
     const auto bytes = headless::readback(device, colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-    if (!bytes) return fail("the picture could not be read back: {}", bytes.error().message);
+    if (!bytes) return passOn(bytes.error(), "the picture could not be read back");
     const VkExtent2D size = colour.extent();
     Image picture = blankImage(static_cast<int>(size.width), static_cast<int>(size.height), 3);
     constexpr std::size_t stored = 4 * sizeof(float), kept = 3 * sizeof(float);

@@ -8,7 +8,7 @@
 namespace tyndall::app {
 namespace {
 
-/// What the device reads: the scene's textures are half floats there.
+/// The device's values: its textures are half floats.
 Image asUploaded(Image image) {
     for (float& value : image.values) value = glm::unpackHalf1x16(glm::packHalf1x16(value));
     return image;
@@ -64,7 +64,7 @@ study::ReferenceScene idealScene(const ViewedScene& viewed, const ViewOptions& o
 }
 
 Result<study::ReferenceScene> hardwareScene(const headless::Device& device, const ViewedScene& viewed,
-                                             const ViewOptions& options, std::uint32_t shadowSize) {
+                                            const ViewOptions& options, std::uint32_t shadowSize) {
     study::ReferenceScene scene = commonPart(viewed, options, study::Mode::Hardware);
     auto renderer = SceneRenderer::create(device, viewed.scene);
     if (!renderer) return tl::unexpected(renderer.error());

@@ -13,7 +13,7 @@ std::vector<MeshTriangles> trianglesOf(const Scene& scene) {
     return meshes;
 }
 
-/// The device gets half floats.
+/// Rounds to half floats, as the device stores them.
 TextureSurvey surveyOf(const Image& image, bool wraps) {
     std::vector<glm::vec4> texels(pixelCount(image));
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = rgbaOf(image, i);

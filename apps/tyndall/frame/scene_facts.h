@@ -1,4 +1,4 @@
-// What a plan may know of a scene: the library's surveys of it.
+// The library's surveys of a scene, for a plan.
 #pragma once
 
 #include <tyndall/result.h>
@@ -14,16 +14,16 @@ namespace tyndall::app {
 struct SceneFacts {
     OccluderSet occluders;
     BlockerSet blockers;
-    std::vector<std::optional<TextureSurvey>> cookies, noises;  ///< by Scene::images, of those that lights use as such
-    std::vector<LightSurvey> surveys;                           ///< by Scene::lights, into these
+    std::vector<std::optional<TextureSurvey>> cookies, noises;  ///< by Scene::images, for the images that lights use
+    std::vector<LightSurvey> surveys;                           ///< by Scene::lights, pointing into these
 };
 
 Result<SceneFacts> surveyScene(const Scene& scene);
 
-/// Brings the facts up to date where instances have moved since.
+/// Updates the facts if instances have moved.
 Result<void> followInstances(SceneFacts& facts, const Scene& scene);
 
-/// The facts as plan() takes them, which must not outlive `facts`.
+/// The facts in plan()'s form; the result must not outlive `facts`.
 Surroundings surroundingsOf(const SceneFacts& facts);
 
 }  // namespace tyndall::app

@@ -9,14 +9,13 @@
 
 #include "all_cores.h"
 #include "draw_shafts.h"
-#include "pass_on.h"
 #include "read_back.h"
 #include "used_images.h"
 
 namespace tyndall::app {
 namespace {
 
-/// The step that the display shows of a picture at its exposure; 0 where it shows nothing, or where nothing is shown.
+/// The display's step at the picture's exposure; 0 for a black picture, or if nothing is displayed.
 double stepOf(const Image& picture, const ShaftOptions& shafts) {
     if (!shafts.displayed) return 0.0;
     if (shafts.exposure) return displayStep(*shafts.exposure);
@@ -31,7 +30,7 @@ std::vector<std::size_t> mapsCalledFor(std::span<const SurfaceLight> surfaceLigh
     return lights;
 }
 
-/// What the slices look up. Where nothing stands in a light's volume its map would be empty, and none is needed.
+/// The slices' textures. A light with nothing in its volume needs no shadow map.
 std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
     if (planned.options.everything) return mapsCalledFor(planned.surfaceLights);
     std::vector<std::size_t> lights;
@@ -44,8 +43,7 @@ std::vector<std::size_t> mapsCalledFor(const PlannedScene& planned) {
 
 }  // namespace
 
-Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene,
-                                             VkPipelineCache cache) {
+Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, const Scene& scene, VkPipelineCache cache) {
     auto renderer = Renderer::create({device.physicalDevice(), device.device(), cache});
     if (!renderer) return tl::unexpected(renderer.error());
     auto pipelines = surfacePipelines(device, cache);
@@ -56,7 +54,7 @@ Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, cons
 }
 
 Result<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
-                                            std::uint32_t shadowSize) {
+                                           std::uint32_t shadowSize) {
     const auto time = maps_.draw(*device_, renderer_, viewed, lights, gpu_, shadowSize);
     if (!time) return tl::unexpected(time.error());
     frame_.shadowMaps += *time;
@@ -64,7 +62,7 @@ Result<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<
 }
 
 Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
-                                          std::uint32_t shadowSize, bool lit) {
+                                         std::uint32_t shadowSize, bool lit) {
     if (auto fitted = fit(*device_, targets_, size); !fitted) return fitted;
     if (lit)
         if (auto drawn = drawShadowMaps(viewed, mapsCalledFor(lights), shadowSize); !drawn) return drawn;
@@ -84,14 +82,14 @@ Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<co
                              VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
         return recorded;
     });
-    if (!time) return fail("the surfaces: {}", time.error().message);
+    if (!time) return passOn(time.error(), "the surfaces");
     frame_.surfaces = *time;
     frame_.surfaceDraws = surfaces_.draws.size();
     return {};
 }
 
 Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                                         double maxStep) {
+                                        double maxStep) {
     auto drawn =
         drawSurfaces(planned, planned.surfaceLights, view.size, shafts.plan.shadowMapSize, view.layer == Layer::All);
     if (!drawn) return drawn;
@@ -104,13 +102,14 @@ Result<void> SceneRenderer::planAsDrawn(PlannedScene& planned, const ViewOptions
         surfaces = std::move(*read);
     }
     DepthSurvey depth;
-    if (auto surveyed = passOn(surveyDepth(*depths, view.size.width, view.size.height, planned.view, depth), "the depth as drawn");
+    if (auto surveyed =
+            passOn(surveyDepth(*depths, view.size.width, view.size.height, planned.view, depth), "the depth as drawn");
         !surveyed)
         return surveyed;
     return replanWithDepth(planned, std::move(depth), std::min(stepOf(surfaces, shafts), maxStep), view, shafts);
 }
 
-/// All that drawShafts() will draw with, on all cores.
+/// Makes all pipelines for drawShafts(), on all cores.
 Result<void> SceneRenderer::preparePipelines(const Plan& plan) {
     std::vector<TermSet> terms;
     for (const PlannedPart& part : plan.parts) terms.push_back(part.terms);
@@ -181,11 +180,11 @@ Result<void> SceneRenderer::plan(PlannedScene& planned, const ViewOptions& view,
 }
 
 Result<Frame> SceneRenderer::draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                                   bool measure) {
+                                  bool measure) {
     startFrame();
     if (auto updated = updateSceneFacts(planned, view, shafts); !updated) return tl::unexpected(updated.error());
-    // What is too faint is judged by the exposure of the surfaces alone. The shafts brighten the picture, and so darken
-    // its exposure, as a rule; where they do not, it is drawn again, more carefully, and at last with nothing left out.
+    // The plan leaves out faint light by the exposure of the surfaces only. Usually the shafts brighten the picture and
+    // so lower its exposure. If not, it is drawn again with a smaller step, and finally with nothing left out.
     double maxStep = std::numeric_limits<double>::infinity();
     for (;;) {
         ++frame_.rounds;

@@ -1,6 +1,6 @@
-// Draws a scene frame after frame. Each frame pays for what is new in it: meshes are uploaded once, and so is each
-// picture, when something drawn first uses it; shadow maps are drawn where what they show has moved; pipelines are made
-// when a technique is first called for; targets and working memory stay.
+// Draws a scene frame after frame. Each frame does only the work that is new: meshes are uploaded once, each image at
+// its first use; a shadow map is drawn again when an instance in it has moved; pipelines are made at a technique's
+// first use; targets and working memory stay.
 #pragma once
 
 #include <headless/statistics.h>
@@ -25,26 +25,25 @@ struct Frame {
 
 class SceneRenderer {
 public:
-    /// For `scene` as it was loaded. Between frames its camera, lights and instances may move and change; its meshes,
-    /// pictures, and which of them is used where, may not. `device` outlives the renderer, and so does `cache`, which
-    /// pipelines are made with and which may be null.
+    /// For `scene` as it was loaded. Between frames its camera, lights and instances may move and change, but not its
+    /// meshes, its images and their users. Pipelines are made with `cache`, which may be null. `device` and `cache`
+    /// must outlive the renderer.
     static Result<SceneRenderer> create(const headless::Device& device, const Scene& scene,
-                                         VkPipelineCache cache = VK_NULL_HANDLE);
+                                        VkPipelineCache cache = VK_NULL_HANDLE);
 
-    /// Draws `planned` as it stands: updates what is known of the scene, draws the surfaces, and plans with their depth
-    /// and exposure. `measure` adds the slices twice and times the second, so that no compilation is in
-    /// the figure.
+    /// Draws `planned`: updates the facts about the scene, draws the surfaces, and plans with their depth and exposure.
+    /// `measure` adds the slices twice and times the second, so that the time has no compilation in it.
     Result<Frame> draw(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts, bool measure);
 
     /// draw() up to the plan.
     Result<void> plan(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts);
 
-    /// The parts of draw(), for what needs no more of it. `lights` has one entry for each of viewed.lights; those that
-    /// call for a shadow map get one where surfaces are lit.
+    /// The parts of draw(). `lights` has one entry for each of viewed.lights; those that need a shadow map get one if
+    /// surfaces are lit.
     Result<void> drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
-                               std::uint32_t shadowSize, bool lit);
+                              std::uint32_t shadowSize, bool lit);
     Result<void> drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
-                                 std::uint32_t shadowSize);
+                                std::uint32_t shadowSize);
 
     const FrameTargets& targets() const { return targets_; }
     const ShadowMaps& shadowMaps() const { return maps_; }
@@ -57,7 +56,7 @@ private:
           gpu_(std::move(gpu)) {}
 
     Result<void> planAsDrawn(PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts,
-                              double maxStep);
+                             double maxStep);
     Result<void> drawPlanned(PlannedScene& planned, const ShaftOptions& shafts, bool measure);
     Result<void> preparePipelines(const Plan& plan);
     void startFrame();
@@ -74,11 +73,11 @@ private:
     headless::FragmentCounter counter_;
     bool counts_ = false;  ///< counter_ is there
 
-    FrameStatistics frame_;  ///< of the frame that is being drawn
+    FrameStatistics frame_;  ///< of the current frame
     struct Before {
         RendererCounters shafts;
         std::uint64_t surfacePipelines = 0, images = 0, imageBytes = 0;
-    } before_;  ///< counters when it began
+    } before_;  ///< counters at its start
 };
 
 }  // namespace tyndall::app

@@ -1,7 +1,6 @@
 #include "scene_view.h"
 
 #include <kit/fail.h>
-
 #include <tyndall/shadow_cache.h>
 
 namespace tyndall::app {

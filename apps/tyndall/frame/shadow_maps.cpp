@@ -26,13 +26,13 @@ Result<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::siz
                                                   .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
                                                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                                                   .name = "shadow map"});
-    if (!image) return fail("--shadow-size {}: {}", size, image.error().message);
+    if (!image) return passOn(image.error(), fmt::format("--shadow-size {}", size));
     slots_.push_back({std::move(*image), light, frame_});
     return *(slotOf_[light] = slots_.size() - 1);
 }
 
 Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
-                                 std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size) {
+                                std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size) {
     if (size != size_) {
         slots_.clear();
         slotOf_.clear();
@@ -40,7 +40,7 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
         size_ = size;
     }
     slotOf_.resize(viewed.lights.size());
-    // Those that are there already first: none of them may be given away.
+    // Lights that have a map keep it; only other maps are reassigned.
     for (const std::size_t light : lights)
         if (slotOf_[light]) slots_[*slotOf_[light]].frame = frame_;
     struct Stale {
@@ -65,8 +65,8 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
             stale.push_back({light, *slot, occluders, casters});
     }
     if (stale.empty()) return 0.0;
-    // What earlier maps were drawn with is not needed any more; an empty plan makes the memory free.
-    if (auto reset = renderer.upload(data_, Plan{}); !reset) return fail("the shadow maps: {}", reset.error().message);
+    // The data of earlier maps is not needed any more; an empty plan frees its memory.
+    if (auto reset = renderer.upload(data_, Plan{}); !reset) return passOn(reset.error(), "the shadow maps");
     const auto time = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
         for (const Stale& map : stale) {
             const headless::Image& image = slots_[map.slot].image;
@@ -79,7 +79,7 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
         }
         return {};
     });
-    if (!time) return fail("the shadow maps: {}", time.error().message);
+    if (!time) return passOn(time.error(), "the shadow maps");
     for (const Stale& map : stale) cache_.drawn(map.light, viewed.lights[map.light], map.casters, size);
     return *time;
 }

@@ -1,4 +1,4 @@
-// The lights' shadow maps on the device, drawn again only where they show something else by now.
+// The lights' shadow maps on the device, drawn again only when their content has changed.
 #pragma once
 
 #include <headless/image.h>
@@ -16,32 +16,32 @@ namespace tyndall::app {
 
 constexpr VkFormat shadowFormat = VK_FORMAT_D32_SFLOAT;
 
-/// As many maps as one frame ever called for at once. A light that a frame does not call for keeps its map until
+/// As many maps as the largest number that one frame needed. A light that needs no map in a frame keeps its map until
 /// another light needs one.
 class ShadowMaps {
 public:
-    /// From here on no map is called for, and each may be given to another light.
+    /// Starts a frame: no map is needed yet, and each may be given to another light.
     void startFrame() { ++frame_; }
 
-    /// Makes the maps of these lights, numbers into viewed.lights, show what stands in their volumes. Answers the
-    /// milliseconds from submission to fence; 0 where every map showed it.
+    /// Draws the outdated maps of these lights, indices into viewed.lights. Returns the milliseconds from submission to
+    /// fence; 0 if no map was outdated.
     Result<double> draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
-                         std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size);
+                        std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size);
 
-    /// SHADER_READ_ONLY_OPTIMAL; null where this frame has not called for the light's map.
+    /// SHADER_READ_ONLY_OPTIMAL; null if this frame does not need the light's map.
     const headless::Image* image(std::size_t light) const;
     VkImageView view(std::size_t light) const { return image(light) ? image(light)->view() : VK_NULL_HANDLE; }
 
-    /// Maps on the device, called for or not.
+    /// Maps on the device, needed or not.
     std::size_t count() const { return slots_.size(); }
-    /// Device memory of what the maps were drawn with.
+    /// Device memory of the data for drawing the maps.
     VkDeviceSize frameDataBytes() const { return data_.memory(); }
 
 private:
     struct Slot {
         headless::Image image;
         std::size_t light = 0;
-        std::uint64_t frame = 0;  ///< that called for it last
+        std::uint64_t frame = 0;  ///< the last one that needed it
     };
     Result<std::size_t> slotFor(const headless::Device& device, std::size_t light, std::uint32_t size);
 

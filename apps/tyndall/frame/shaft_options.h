@@ -1,4 +1,4 @@
-// How light shafts are drawn.
+// Options for drawing light shafts.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -7,15 +7,15 @@
 
 namespace tyndall::app {
 
-/// Slices a light at most, where it is drawn with as many as needed.
+/// Maximum number of slices a light, if it is drawn with as many as needed.
 constexpr int defaultMaxSlices = 256;
 
 struct ShaftOptions {
-    /// As plan() takes it. Each frame sets its time, pictureHeight, displayStep, and range where `range` is absent.
+    /// For plan(). Each frame sets its time, pictureHeight, displayStep, and also range if `range` is absent.
     PlanOptions plan = {.slices = defaultMaxSlices, .spacing = Spacing::Adaptive};
-    std::optional<double> range;     ///< radiance that 8-bit targets call 1; absent: automaticRange()
-    bool displayed = true;           ///< false: radiance is kept as it is, however faint
-    std::optional<double> exposure;  ///< stops, of what is displayed; absent: from the picture
+    std::optional<double> range;     ///< radiance of the value 1 in 8-bit targets; absent: automaticRange()
+    bool displayed = true;           ///< false: the output is radiance, and faint light counts too
+    std::optional<double> exposure;  ///< stops, if displayed; absent: from the picture
 };
 
 }  // namespace tyndall::app

@@ -1,4 +1,4 @@
-// How each lamp lights the surfaces where nothing is left out, to compare with Planner::surfaces().
+// How each lamp lights the surfaces if nothing is left out, for comparison with Planner::surfaces().
 #pragma once
 
 #include <tyndall/plan.h>
@@ -8,7 +8,7 @@
 
 namespace tyndall::app {
 
-/// Every lamp, with a shadow map where anything at all stands in its volume.
+/// Every lamp, with a shadow map if any instance is in its volume.
 /// `instances`: see instancesByLight().
 std::vector<SurfaceLight> allLights(std::span<const Light> lights, std::span<const std::vector<std::size_t>> instances);
 

@@ -1,7 +1,7 @@
 #include "surfaces.h"
 
-#include <tyndall/rendering.h>
 #include <scene.fx.h>
+#include <tyndall/rendering.h>
 #include <vulkan/vulkan.h>
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 namespace tyndall::app {
 namespace {
 
-/// Share of the lights' illuminance at the far side of the scene that comes back from everywhere: rooms
-/// are not black in their corners, and nothing here traces the second bounce.
+/// Ambient light as a share of the lights' illuminance at the far side of the scene. It stands for indirect light,
+/// which is not computed.
 constexpr double ambientShare = 0.02;
-/// Ambient light from below, of that from above.
+/// Ambient light from below, as a share of that from above.
 constexpr float groundShare = 0.4f;
 
 constexpr std::array<VertexElement, 3> elements{{{"POSITION0", offsetof(Vertex, position), VK_FORMAT_R32G32B32_SFLOAT},
@@ -27,7 +27,7 @@ constexpr std::array<VertexElement, 3> elements{{{"POSITION0", offsetof(Vertex, 
 /// permgen's name for the block of scene.fx's global variables.
 constexpr std::string_view globals = "Globals";
 
-/// Writes members of the effect's uniform block by name, where its layout has put them.
+/// Writes members of the effect's uniform block by name, at their offsets.
 class Uniforms {
 public:
     explicit Uniforms(std::span<std::byte> bytes) : bytes_(bytes) {}
@@ -55,7 +55,7 @@ NamedImage named(std::string_view sampler, VkImageView view) {
     return {sampler, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 }
 
-/// Radiance that a white surface sends back under ambient light.
+/// Radiance that a white surface reflects under ambient light.
 glm::dvec3 ambientRadiance(const Scene& scene, std::span<const Light> lights) {
     if (scene.bounds.empty()) return glm::dvec3(0.0);
     const double radius = 0.5 * glm::length(scene.bounds.maximum - scene.bounds.minimum);
@@ -81,8 +81,8 @@ void setLight(Uniforms& uniforms, const Light& light, std::span<const glm::dvec4
     uniforms.set("gTexel", glm::dvec4(2.0 * slope / static_cast<double>(shadowSize), 0.0, 0.0));
 }
 
-/// What turns normals as the matrix turns surfaces, up to length and sign, brought near unit length. The
-/// inverse transpose is the same for a matrix that has an inverse.
+/// The matrix for normals, up to length and sign, scaled to near unit length. For invertible matrices it is a multiple
+/// of the inverse transpose.
 glm::dmat3 cofactors(const glm::dmat3& m) {
     const glm::dmat3 c(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     const double longest = std::max({glm::length(c[0]), glm::length(c[1]), glm::length(c[2])});
@@ -91,7 +91,7 @@ glm::dmat3 cofactors(const glm::dmat3& m) {
 
 void setSurface(Uniforms& uniforms, const MeshInstance& instance, const Material& material, const View& view, bool lit,
                 const glm::dvec3& ambient) {
-    // In double up to here: what is left is relative to the eye, and small.
+    // Doubles up to here: the result is relative to the eye, and small enough for floats.
     const glm::dmat4 viewFromMesh = glm::inverse(view.worldFromView) * instance.worldFromMesh;
     uniforms.set("gClipFromMesh", view.clipFromView * viewFromMesh);
     uniforms.set("gViewFromMesh", viewFromMesh);
@@ -105,9 +105,10 @@ void setSurface(Uniforms& uniforms, const MeshInstance& instance, const Material
     uniforms.set("gAmbient", glm::dvec4(ambient, 0.0));
 }
 
-std::string lightTechnique(bool shadow, bool cookie, bool texture) {
-    return fmt::format("light_{}shadow_{}cookie_{}texture_technique", shadow ? "" : "no", cookie ? "" : "no",
-                       texture ? "" : "no");
+/// A key of scene.fx always has a technique.
+template <class Key>
+const permgen::Pass& passOf(const Key& key) {
+    return scene_effect::technique(*scene_effect::find_technique(key)).passes[0];
 }
 
 /// One instance, in the base pass or lit by one light.
@@ -116,7 +117,7 @@ struct Lit {
     std::optional<std::size_t> light;
 };
 
-/// Base passes first: they lay down depth.
+/// Base passes come first, because they write depth.
 void listDraws(const SurfaceInputs& inputs, std::vector<Lit>& draws) {
     for (std::size_t i = 0; i < inputs.viewed.scene.instances.size(); ++i) draws.push_back({i, std::nullopt});
     for (std::size_t light = 0; light < inputs.lights.size() && inputs.lit; ++light) {
@@ -129,12 +130,12 @@ void listDraws(const SurfaceInputs& inputs, std::vector<Lit>& draws) {
 
 Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache) {
     auto pipelines = PassPipelines::create({device.physicalDevice(), device.device(), cache}, scene_effect::effect);
-    if (!pipelines) return fail("the surfaces: {}", pipelines.error().message);
+    if (!pipelines) return passOn(pipelines.error(), "the surfaces");
     return std::move(*pipelines);
 }
 
 Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
-                              const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass) {
+                             const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass) {
     pass.draws.clear();
     const auto& [viewed, lights, maps, shadowSize, lit] = inputs;
     const Scene& scene = viewed.scene;
@@ -146,8 +147,8 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
     const VkDeviceSize block = (blockBytes + alignment - 1) / alignment * alignment;
     if (pass.uniforms.size() < block * draws.size()) {
         auto buffer = headless::Buffer::create(device, block * draws.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                                               headless::MemoryPlace::Host, "surface uniforms");
-        if (!buffer) return fail("the surfaces' constants: {}", buffer.error().message);
+                                               headless::MemoryKind::Host, "surface uniforms");
+        if (!buffer) return passOn(buffer.error(), "the surfaces' constants");
         pass.uniforms = std::move(*buffer);
     }
     const std::span<std::byte> mapped = pass.uniforms.mapped();
@@ -166,7 +167,7 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
         draw.uniforms = {pass.uniforms.handle(), offset, blockBytes};
         offset += block;
         if (textured) draw.images.push_back(named("BaseColourSampler", gpu.images[*material.baseTexture].view()));
-        std::string technique = textured ? "base_texture_technique" : "base_notexture_technique";
+        const permgen::Pass* pixels = &passOf(scene_effect::ps_base_key{.bTexture = textured});
         if (one.light) {
             const std::size_t l = *one.light;
             setLight(uniforms, viewed.lights[l], lights[l].walls, viewed.view, shadowSize);
@@ -175,13 +176,13 @@ Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipe
             const std::optional<std::size_t> cookie = scene.lights[l].cookie;
             if (shadow) draw.images.push_back(named("ShadowMapSampler", map));
             if (cookie) draw.images.push_back(named("CookieSampler", gpu.images[*cookie].view()));
-            technique = lightTechnique(shadow, cookie.has_value(), textured);
+            pixels = &passOf(scene_effect::ps_light_key{
+                .bShadowMapping = shadow, .bCookie = cookie.has_value(), .bTexture = textured});
         }
-        // How a mesh is culled is its own affair; depth is reversed.
+        // Culling depends on the mesh; depth is reversed.
         const PassTarget target{.colours = {colour}, .depth = depth, .dynamicCulling = true};
-        const auto pipeline =
-            pipelines.get(permgen::find_technique(scene_effect::effect, technique)->passes[0], target, elements);
-        if (!pipeline) return fail("the surfaces: {}", pipeline.error().message);
+        const auto pipeline = pipelines.get(*pixels, target, elements);
+        if (!pipeline) return passOn(pipeline.error(), "the surfaces");
         draw.pipeline = *pipeline;
         pass.draws.push_back(std::move(draw));
     }
@@ -200,7 +201,7 @@ Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipel
         const Mesh& mesh = scene.meshes[instance.mesh];
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.handle);
         vkCmdSetCullMode(commands, mesh.material.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-        // glTF's front faces are counter-clockwise, mirrored instances' clockwise. Vulkan judges winding with
+        // glTF's front faces are counter-clockwise, mirrored instances' clockwise. Vulkan determines winding with
         // y pointing down, and the projection turns y over to match, so the picture's own winding counts.
         const bool mirrored = glm::determinant(glm::dmat3(instance.worldFromMesh)) < 0.0;
         vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);

@@ -1,15 +1,15 @@
-// Draws a scene's surfaces as its lights light them.
+// Draws a scene's lit surfaces.
 #pragma once
 
 #include <headless/buffer.h>
 #include <headless/device.h>
+#include <kit/fail.h>
 #include <tyndall/pass_pipelines.h>
 #include <tyndall/view.h>
 
 #include <span>
 #include <vector>
 
-#include <kit/fail.h>
 #include "gpu_scene.h"
 #include "shadow_maps.h"
 #include "surface_lights.h"
@@ -23,7 +23,7 @@ struct SurfaceTargets {
     VkImageView depth = VK_NULL_HANDLE;   ///< cleared to 0, the far end; layout DEPTH_ATTACHMENT_OPTIMAL
 };
 
-/// What one draw reads, prepared before recording.
+/// The data of one draw, prepared before recording.
 struct SurfaceDraw {
     PassPipeline pipeline;
     std::size_t instance = 0;
@@ -31,7 +31,7 @@ struct SurfaceDraw {
     std::vector<NamedImage> images;
 };
 
-/// Grows as needed, and may be prepared again once what was recorded with it is done.
+/// Grows as needed. It may be prepared again when the commands recorded with it have finished.
 struct SurfacePass {
     headless::Buffer uniforms;
     std::vector<SurfaceDraw> draws;
@@ -42,16 +42,16 @@ struct SurfaceInputs {
     std::span<const SurfaceLight> lights;  ///< one for each of viewed.lights
     const ShadowMaps& maps;
     std::uint32_t shadowSize = 0;
-    bool lit = true;  ///< false: surfaces are black and only hide what is behind them
+    bool lit = true;  ///< false: surfaces are black and only occlude
 };
 
 /// The pipelines of scene.fx, made with `cache`, which may be null.
 Result<PassPipelines> surfacePipelines(const headless::Device& device, VkPipelineCache cache);
 
-/// Prepares one base draw for each instance, and one for each light that reaches the picture and the instance. `gpu`
-/// has the images that they call for. The pipelines draw into targets of those two formats.
+/// Prepares one base draw for each instance, and one for each light that lights the instance in the picture. `gpu`
+/// has the images that they need. The pipelines draw into targets of those two formats.
 Result<void> prepareSurfaces(const headless::Device& device, PassPipelines& pipelines, VkFormat colour, VkFormat depth,
-                              const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass);
+                             const SurfaceInputs& inputs, const GpuScene& gpu, SurfacePass& pass);
 
 Result<void> recordSurfaces(VkCommandBuffer commands, const PassPipelines& pipelines, const SurfacePass& pass,
                             const Scene& scene, const GpuScene& gpu, const SurfaceTargets& targets);

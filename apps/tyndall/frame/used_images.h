@@ -1,4 +1,4 @@
-// Which of a scene's pictures are looked at by what is drawn: the others are not uploaded.
+// The images that the drawn parts of a scene use; the others are not uploaded.
 #pragma once
 
 #include <tyndall/plan.h>
@@ -11,10 +11,10 @@
 
 namespace tyndall::app {
 
-/// By Scene::images: those on lit surfaces, and the cookies of the lights that light them. None without `lit`.
+/// By Scene::images: those on lit surfaces, and the cookies of their lights. Without `lit` there are none.
 std::vector<bool> surfaceImages(const ViewedScene& viewed, std::span<const SurfaceLight> lights, bool lit);
 
-/// By Scene::images: the cookies and noise of the parts that `plan` draws with them.
+/// By Scene::images: the cookies and noise textures that `plan`'s parts use.
 std::vector<bool> shaftImages(const Scene& scene, const Plan& plan);
 
 }  // namespace tyndall::app

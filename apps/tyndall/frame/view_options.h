@@ -1,4 +1,4 @@
-// What is looked at: a scene, a camera, a moment, a size.
+// The view: a scene, a camera, a time, a size.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Size {
 
 enum class Layer {
     All,     ///< surfaces and shafts
-    Shafts,  ///< the radiance of the shafts alone, hidden behind surfaces as ever
+    Shafts,  ///< the radiance of the shafts only; surfaces occlude them
 };
 
 struct ViewOptions {

@@ -1,12 +1,12 @@
-// From a file and options to what a camera sees: what all commands on scenes have in common.
+// From a file and options to a camera's view: the common part of all commands on scenes.
 #pragma once
 
+#include <kit/fail.h>
 #include <tyndall/light.h>
 #include <tyndall/view.h>
 
 #include <vector>
 
-#include <kit/fail.h>
 #include "../scene/scene.h"
 #include "view_options.h"
 

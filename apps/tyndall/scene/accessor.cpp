@@ -52,11 +52,11 @@ Elements elements(const tinygltf::Model& model, const tinygltf::Accessor& access
 }  // namespace
 
 Result<std::vector<double>> readNumbers(const tinygltf::Model& model, int accessor, int components,
-                                         const std::string& what) {
+                                        const std::string& what) {
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     const int stored = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(source.type));
     if (stored != components)
-        return fail("{} has {} components where {} belong; export the file again", what, stored, components);
+        return fail("{} has {} components instead of {}; export the file again", what, stored, components);
     const Elements from = elements(model, source);
     std::vector<double> values;
     values.reserve(source.count * static_cast<std::size_t>(components));
@@ -73,7 +73,7 @@ Result<std::vector<double>> readNumbers(const tinygltf::Model& model, int access
 }
 
 Result<std::vector<std::uint32_t>> readIndices(const tinygltf::Model& model, int accessor, std::size_t vertexCount,
-                                                const std::string& what) {
+                                               const std::string& what) {
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     const bool whole = source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                        source.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||

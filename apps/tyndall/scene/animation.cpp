@@ -18,8 +18,8 @@ struct Track {
 
 using Value = std::array<double, 4>;
 
-/// The key's value; of the three that a cubic spline stores for each key, `part` 0 is the incoming
-/// tangent, 1 the value and 2 the outgoing tangent.
+/// The key's value. A cubic spline stores three values for each key: `part` 0 is the incoming tangent, 1 the value
+/// and 2 the outgoing tangent.
 Value key(const Track& track, std::size_t index, std::size_t part = 1) {
     const std::size_t element = track.interpolation == "CUBICSPLINE" ? 3 * index + part : index;
     Value value{};
@@ -62,8 +62,8 @@ Value sample(const Track& track, double time) {
     return value;
 }
 
-Result<Track> readTrack(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler,
-                         std::size_t components, const std::string& place) {
+Result<Track> readTrack(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, std::size_t components,
+                        const std::string& place) {
     Track track;
     track.components = components;
     track.interpolation = sampler.interpolation;

@@ -9,7 +9,7 @@
 
 namespace tyndall::app {
 
-/// What animations say about one node; what they leave alone is absent.
+/// The animated transform of one node; parts that are not animated are absent.
 struct AnimatedNode {
     std::optional<glm::dvec3> translation;
     std::optional<glm::dquat> rotation;

@@ -34,7 +34,7 @@ Result<Camera> readCamera(const tinygltf::Model& model, std::size_t node, const 
         for (const double size : {source.orthographic.xmag, source.orthographic.ymag})
             if (!(std::abs(size) > 0.0))
                 return fail("{} sees a width or a height of 0; give its orthographic scale a size", place);
-        // glTF lets an orthographic near plane lie in the eye; the slices need some distance from it.
+        // glTF allows an orthographic near plane at the eye; the slices need some distance from it.
         camera.nearPlane = source.orthographic.znear == 0.0 ? 1e-3 : source.orthographic.znear;
         camera.farPlane = source.orthographic.zfar;
     } else {

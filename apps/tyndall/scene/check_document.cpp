@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Doubles count exactly up to here; nothing in a file read by this program comes near it.
+/// Doubles are exact integers up to here; no count in a file that this program reads is that large.
 constexpr std::uint64_t largestCount = std::uint64_t{1} << 53;
 
 struct Broken {
@@ -53,7 +53,7 @@ std::uint64_t count(const json& object, const char* key, std::uint64_t fallback,
     if (found == object.end()) return fallback;
     const auto number = natural(*found);
     if (!number)
-        broken("{}.{} is {}, and must be a whole number from 0; export the file again", place, key, found->dump());
+        broken("{}.{} is {}, but must be a whole number from 0; export the file again", place, key, found->dump());
     return *number;
 }
 
@@ -109,7 +109,7 @@ void checkBuffers(const json& gltf, bool binary, std::size_t binaryLength) {
                    size);
         const std::uint64_t stride = count(views[i], "byteStride", 4, place);
         if (stride < 4 || stride > 252)
-            broken("{}.byteStride is {}, and must be from 4 to 252; export the file again", place, stride);
+            broken("{}.byteStride is {}, but must be from 4 to 252; export the file again", place, stride);
     }
 }
 
@@ -144,7 +144,7 @@ void checkAccessors(const json& gltf) {
         const json& accessor = accessors[i];
         const std::string place = fmt::format("accessors[{}]", i);
         if (accessor.contains("sparse"))
-            broken("{} is sparse, and sparse accessors are not read; export without them", place);
+            broken("{} is sparse, but sparse accessors are not read; export without them", place);
         const std::uint64_t component = componentBytes(count(accessor, "componentType", 0, place));
         const auto type = accessor.find("type");
         const std::uint64_t components =
@@ -154,8 +154,7 @@ void checkAccessors(const json& gltf) {
         const std::uint64_t elements = count(accessor, "count", 0, place);
         if (elements == 0) broken("{}.count must be at least 1; export the file again", place);
         const std::uint64_t offset = count(accessor, "byteOffset", 0, place);
-        if (!accessor.contains("bufferView"))
-            broken("{} has no buffer view, so nothing to read; export the file again", place);
+        if (!accessor.contains("bufferView")) broken("{} has no buffer view; export the file again", place);
         optionalIndex(accessor, "bufferView", views.size(), place, "buffer views");
         const json& view = views[accessor["bufferView"].get<std::size_t>()];
         const std::uint64_t length = count(view, "byteLength", 0, place);
@@ -203,7 +202,7 @@ void checkMeshes(const json& gltf) {
         for (std::size_t p = 0; p < primitives.size(); ++p) {
             const std::string place = fmt::format("meshes[{}].primitives[{}]", i, p);
             if (const std::uint64_t mode = count(primitives[p], "mode", 4, place); mode > 6)
-                broken("{}.mode is {}, and must be from 0 to 6; export the file again", place, mode);
+                broken("{}.mode is {}, but must be from 0 to 6; export the file again", place, mode);
             optionalIndex(primitives[p], "indices", accessors, place, "accessors");
             optionalIndex(primitives[p], "material", objects(gltf, "materials").size(), place, "materials");
             if (const json* attributes = member(primitives[p], "attributes"))
@@ -251,12 +250,12 @@ void checkTree(const json& nodes) {
             std::size_t& above = parent[child.get<std::size_t>()];
             if (above != none)
                 broken(
-                    "nodes[{}] is a child of nodes[{}] and of nodes[{}], and may have one parent; "
+                    "nodes[{}] is a child of nodes[{}] and of nodes[{}], but may have only one parent; "
                     "export the file again",
                     child.get<std::size_t>(), above, i);
             above = i;
         }
-    // With one parent each, whatever does not hang below a root hangs in a circle.
+    // As each node has one parent, a node that is not below a root is in a cycle.
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (parent[i] == none) open.push_back(i);

@@ -13,7 +13,7 @@ Result<void> checkNumbers(const json& node, const char* key, std::size_t size, c
     const bool numbers =
         found->is_array() && std::ranges::all_of(*found, [](const json& value) { return value.is_number(); });
     if (numbers && found->size() == size) return {};
-    return fail("{}.{} must be {} numbers, and is {}; export the file again", place, key, size,
+    return fail("{}.{} must be {} numbers, but is {}; export the file again", place, key, size,
                 numbers ? fmt::format("{}", found->size()) : std::string("something else"));
 }
 
@@ -26,7 +26,7 @@ Result<void> checkTransform(const json& node, const std::string& place) {
     const auto rotation = node.find("rotation");
     if (rotation != node.end() &&
         std::ranges::all_of(*rotation, [](const json& value) { return value.get<double>() == 0.0; }))
-        return fail("{}.rotation is all zeros, which is no rotation; write 0, 0, 0, 1 for none", place);
+        return fail("{}.rotation is all zeros, which is not a rotation; write 0, 0, 0, 1 for none", place);
     return {};
 }
 

@@ -8,8 +8,8 @@
 namespace tyndall::app {
 namespace {
 
-/// Texels a side without a given cookie: half a degree a texel would show in a 90 degree cone at 180;
-/// this is a fifth of a degree.
+/// Texels a side without a given cookie. A 90 degree cone with 180 texels would have visible texels of half a degree;
+/// here they are a fifth of a degree.
 constexpr int smallestSide = 512;
 /// Samples a side of each texel, so that the edge of a hard cone is smooth.
 constexpr int samples = 4;
@@ -45,7 +45,8 @@ Image bakeCone(double inner, double outer, const Image* given) {
             const glm::vec4 slide =
                 given != nullptr ? sampleClamped(*given, (column + 0.5) / image.width, (row + 0.5) / image.height)
                                  : glm::vec4(1.0f);
-            setRgba(image, static_cast<std::size_t>(row) * image.width + column, glm::vec4(cone * glm::vec3(slide), 1.0f));
+            setRgba(image, static_cast<std::size_t>(row) * image.width + column,
+                    glm::vec4(cone * glm::vec3(slide), 1.0f));
         }
     return image;
 }

@@ -28,7 +28,7 @@ Result<std::vector<unsigned char>> readBytes(const std::string& path) {
     if (!std::filesystem::is_regular_file(status))
         return fail("{}: not a file; name a .glb or .gltf file, not a folder or device", path);
     const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error) return fail("{}: cannot be read: {}", path, error.message());
+    if (error) return fail(ErrorCode::File, "{}: cannot be read: {}", path, error.message());
     if (size > largestFile) return fail("{}: is larger than 2 GiB; split the scene or shrink its textures", path);
 
     std::ifstream file(path, std::ios::binary);

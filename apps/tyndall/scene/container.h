@@ -1,12 +1,12 @@
-// The outside of a glTF file: the JSON text and, in a .glb, the binary chunk behind it.
+// The container of a glTF file: the JSON text and, in a .glb, the binary chunk after it.
 #pragma once
+
+#include <kit/fail.h>
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -22,7 +22,7 @@ struct Container {
 /// Reads the file and finds its chunks. GLB layout: glTF 2.0 specification, section 4.4.
 Result<Container> readContainer(const std::string& path);
 
-/// False where the JSON text nests deeper than any glTF needs; recursive readers would run out of stack.
+/// False if the JSON text nests deeper than any glTF needs; recursive readers would overflow the stack.
 bool nestingIsSane(std::string_view json);
 
 }  // namespace tyndall::app

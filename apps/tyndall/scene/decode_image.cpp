@@ -60,7 +60,7 @@ Result<tinygltf::Image> decodeImage(const tinygltf::Image& encoded, std::size_t 
                                     static_cast<int>(bytes.size()), nullptr))
             return decoded;
     } catch (const std::bad_alloc&) {
-        return fail("image {} needs more memory than there is; shrink it", index);
+        return fail("image {} needs too much memory; shrink it", index);
     }
     return fail("image {} cannot be decoded; save it again as PNG or JPEG", index);
 }

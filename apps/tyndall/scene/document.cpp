@@ -28,7 +28,7 @@ Result<Document> readDocument(const std::string& path) {
     try {
         document.json = nlohmann::json::parse(container->json());
         if (auto checked = checkDocument(document.json, container->binary, container->binaryLength); !checked)
-            return fail("{}: {}", path, checked.error().message);
+            return passOn(checked.error(), path);
 
         tinygltf::TinyGLTF reader;
         reader.SetImageLoader(keepEncoded, nullptr);
@@ -45,9 +45,9 @@ Result<Document> readDocument(const std::string& path) {
     } catch (const nlohmann::json::exception& broken) {
         return fail("{}: its JSON is damaged ({}); export the file again", path, oneLine(broken.what()));
     } catch (const std::bad_alloc&) {
-        return fail("{}: needs more memory than there is; shrink its textures and meshes", path);
+        return fail("{}: needs too much memory; shrink its textures and meshes", path);
     } catch (const std::exception& broken) {
-        return fail("{}: cannot be read ({}); export the file again", path, oneLine(broken.what()));
+        return fail(ErrorCode::File, "{}: cannot be read ({}); export the file again", path, oneLine(broken.what()));
     }
     return document;
 }

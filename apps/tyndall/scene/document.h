@@ -1,24 +1,23 @@
-// A glTF file, parsed and checked: every index points at something, every buffer view lies in its
-// buffer. What follows may look things up without asking again.
+// A glTF file, parsed and checked: every index is in range, every buffer view lies in its buffer. Later code
+// need not check them again.
 #pragma once
 
+#include <kit/fail.h>
 #include <tiny_gltf.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include <kit/fail.h>
-
 namespace tyndall::app {
 
 struct Document {
-    nlohmann::json json;    ///< as written, for extras and whatever tinygltf leaves out
+    nlohmann::json json;    ///< as written, for extras and other parts that tinygltf leaves out
     tinygltf::Model model;  ///< images as keepEncoded() keeps them
     std::string warnings;   ///< tinygltf's own, usually empty
 };
 
-/// Reads `path`, .glb or .gltf by content, with the buffers and images it names. Images stay encoded: a texture
-/// that nothing draws costs no decoding, and may be broken.
+/// Reads `path`, .glb or .gltf by content, with the buffers and images it names. Images stay encoded: unused
+/// textures are not decoded, and may be broken.
 Result<Document> readDocument(const std::string& path);
 
 }  // namespace tyndall::app

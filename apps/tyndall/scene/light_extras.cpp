@@ -17,7 +17,7 @@ struct Wrong {
 [[noreturn]] void wrong(const std::string& place, const char* key, const char* rule, const json& value) {
     std::string shown = value.dump(-1, ' ', false, json::error_handler_t::replace);
     if (shown.size() > 40) shown = shown.substr(0, 40) + "...";
-    throw Wrong{fmt::format("{}: extras.tyndall.{} must be {}, and is {}", place, key, rule, shown)};
+    throw Wrong{fmt::format("{}: extras.tyndall.{} must be {}, but is {}", place, key, rule, shown)};
 }
 
 std::string joined(std::initializer_list<const char*> names) {
@@ -30,8 +30,8 @@ void warnOfUnknown(const json& object, std::initializer_list<const char*> known,
                    const char* where, std::vector<std::string>& warnings) {
     for (const auto& [key, value] : object.items())
         if (std::ranges::find(known, std::string_view(key)) == known.end())
-            warnings.push_back(fmt::format("{}: {} has no meaning for \"{}\", which is left out; it knows {}", place,
-                                           where, key, joined(known)));
+            warnings.push_back(fmt::format("{}: {} has no setting \"{}\", which is ignored; it has {}", place, where,
+                                           key, joined(known)));
 }
 
 double numberOf(const json& value, const std::string& place, const char* key, const char* rule) {
@@ -91,7 +91,7 @@ std::vector<glm::dvec4> clipPlanes(const json& object, const std::string& place)
 LightExtras read(const json& extras, const std::string& place, std::vector<std::string>& warnings) {
     if (!extras.is_object())
         throw Wrong{
-            fmt::format("{}: extras.tyndall must be an object of settings, and is {}", place, extras.type_name())};
+            fmt::format("{}: extras.tyndall must be an object of settings, but is {}", place, extras.type_name())};
     warnOfUnknown(extras,
                   {"shape", "fov", "near", "far", "cookie", "shadow", "noise", "density", "ambient", "anisotropy",
                    "albedo", "clipPlanes"},

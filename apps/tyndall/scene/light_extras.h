@@ -1,13 +1,13 @@
-// What extras.tyndall says about a light, as written: absent stays absent.
+// A light's extras.tyndall as written; absent settings stay absent.
 #pragma once
+
+#include <kit/fail.h>
 
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <kit/fail.h>
 
 namespace tyndall::app {
 
@@ -30,9 +30,9 @@ struct LightExtras {
     std::vector<glm::dvec4> clipPlanes;
 };
 
-/// Reads the object; `place` names the light in messages. A key that has no meaning becomes a warning, a
+/// Reads the object; `place` names the light in messages. An unknown key gives a warning, a
 /// value of the wrong kind an error.
 Result<LightExtras> readLightExtras(const nlohmann::json& extras, const std::string& place,
-                                     std::vector<std::string>& warnings);
+                                    std::vector<std::string>& warnings);
 
 }  // namespace tyndall::app

@@ -31,13 +31,13 @@ double extentAlong(const glm::dmat4& worldFromLight, const Bounds& bounds) {
     return farthest;
 }
 
-/// A little more than the scene, so that its last surface is lit and throws a shadow.
+/// A little more than the scene, so that its last surface is lit and casts a shadow.
 constexpr double extentMargin = 1.01;
-/// Where a light has neither range nor scene before it.
+/// For a light without range and without a scene in front of it.
 constexpr double emptySceneFar = 20.0;
 
 Result<void> applyRange(Light& light, const LightExtras& extras, double range, const Bounds& bounds,
-                         const std::string& place) {
+                        const std::string& place) {
     light.nearPlane = extras.nearPlane.value_or(light.nearPlane);
     if (!(light.nearPlane > 0.0))
         return fail("{}: its near plane lies at {:g} m; move it in front of the lamp, above 0", place, light.nearPlane);
@@ -53,12 +53,12 @@ Result<void> applyRange(Light& light, const LightExtras& extras, double range, c
 }
 
 Result<void> applyFov(Light& light, const LightExtras& extras, double outer, const std::string& place,
-                       std::vector<std::string>& warnings) {
+                      std::vector<std::string>& warnings) {
     light.fov = glm::dvec2(2.0 * outer);
     if (extras.fovDegrees && extras.shape == Shape::Frustum) light.fov = *extras.fovDegrees * degree;
     if (extras.fovDegrees && extras.shape == Shape::Cone)
         warnings.push_back(place +
-                           ": extras.tyndall.fov is left out, because a cone takes its angle from the lamp; "
+                           ": extras.tyndall.fov is ignored, because a cone takes its angle from the lamp; "
                            "set shape to \"frustum\" to use it");
     for (const double angle : {light.fov.x, light.fov.y})
         if (!(angle > 0.0 && angle < std::numbers::pi * (1.0 - 1e-9)))
@@ -77,9 +77,9 @@ Result<void> applyAir(Light& light, const LightExtras& extras, const std::string
         return fail("{}: its density is {:g} 1/m; it cannot be negative", place, light.density);
     if (!(light.ambient >= 0.0)) return fail("{}: its ambient is {:g}; it cannot be negative", place, light.ambient);
     if (!(std::abs(light.anisotropy) < 1.0))
-        return fail("{}: its anisotropy is {:g}; it must lie between -1 and 1, both excluded", place, light.anisotropy);
+        return fail("{}: its anisotropy is {:g}; it must be between -1 and 1, excluding both", place, light.anisotropy);
     if (light.albedo && !(*light.albedo > 0.0 && *light.albedo <= 1.0))
-        return fail("{}: its albedo is {:g}; it must be over 0 and at most 1, or left out for air without extinction",
+        return fail("{}: its albedo is {:g}; it must be above 0 and at most 1, or absent for air without extinction",
                     place, *light.albedo);
     if (!extras.noise) return {};
     Noise noise;
@@ -95,7 +95,7 @@ Result<void> applyAir(Light& light, const LightExtras& extras, const std::string
 }  // namespace
 
 Result<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
-                                 const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings) {
+                                const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings) {
     const tinygltf::Model& model = document.model;
     const auto lamp = document.json["nodes"][node]["extensions"]["KHR_lights_punctual"]["light"].get<std::size_t>();
     const tinygltf::Light& source = model.lights[lamp];

@@ -1,4 +1,4 @@
-// Spot lights out of glTF, with what extras.tyndall says about them.
+// Spot lights from glTF, with their extras.tyndall.
 #pragma once
 
 #include <functional>
@@ -9,16 +9,16 @@
 
 namespace tyndall::app {
 
-/// A light as read; the glTF textures that it names are still to be looked up.
+/// A light as read; its glTF textures are not loaded yet.
 struct ReadLight {
     SceneLight light;
     std::optional<int> cookieTexture, noiseTexture;
 };
 
-/// A spot light on `node`. `pose` is the node's in the world; `parent` the node above it, if any, whose
-/// extras count where the light's own node has none (exporters that turn lamps put them into a child).
-/// `bounds` gives the default far plane of a light without range. Errors: whatever plan() would refuse.
+/// A spot light on `node`. `pose` is the node's world transform; `parent` the node above it, if any, whose
+/// extras count if the light's own node has none (some exporters put lamps into a child to rotate them).
+/// `bounds` gives the default far plane of a light without range. Errors: values that plan() would refuse.
 Result<ReadLight> readSpotLight(const Document& document, std::size_t node, std::optional<std::size_t> parent,
-                                 const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings);
+                                const glm::dmat4& pose, const Bounds& bounds, std::vector<std::string>& warnings);
 
 }  // namespace tyndall::app

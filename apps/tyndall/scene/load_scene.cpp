@@ -102,9 +102,9 @@ private:
         scene_.ignoredLights.push_back(
             {nodeName(model(), node),
              parallel
-                 ? "a directional light has no place to project from, so it throws no shafts and lights no surface; "
+                 ? "a directional light has no position to project from, so it makes no shafts and lights no surface; "
                    "use a spot light far away"
-                 : fmt::format("a {} light shines everywhere, so it throws no shafts and lights no surface; "
+                 : fmt::format("a {} light shines in all directions, so it makes no shafts and lights no surface; "
                                "use a spot light",
                                type)});
     }
@@ -142,9 +142,9 @@ Result<Scene> loadScene(const std::string& path, double time) {
     auto document = readDocument(path);
     if (!document) return tl::unexpected(document.error());
     auto poses = worldPoses(document->model, time);
-    if (!poses) return fail("{}: {}", path, poses.error().message);
+    if (!poses) return passOn(poses.error(), path);
     auto scene = Loader(*document, std::move(*poses)).load();
-    if (!scene) return fail("{}: {}", path, scene.error().message);
+    if (!scene) return passOn(scene.error(), path);
     if (!document->warnings.empty()) scene->warnings.push_back(document->warnings);
     return scene;
 }

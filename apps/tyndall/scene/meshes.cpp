@@ -50,7 +50,7 @@ void computeMissingNormals(Mesh& mesh) {
 }
 
 Result<Material> readMaterial(const tinygltf::Model& model, int index, bool hasUv, const std::string& user,
-                               const ColourTexture& texture) {
+                              const ColourTexture& texture) {
     Material material;
     if (index < 0) return material;
     const tinygltf::Material& source = model.materials[static_cast<std::size_t>(index)];
@@ -76,7 +76,7 @@ Result<Material> readMaterial(const tinygltf::Model& model, int index, bool hasU
 }
 
 Result<Mesh> readPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& user,
-                            const ColourTexture& texture) {
+                           const ColourTexture& texture) {
     const auto attribute = [&](const char* name) {
         const auto found = primitive.attributes.find(name);
         return found == primitive.attributes.end() ? -1 : found->second;
@@ -129,7 +129,7 @@ Result<Mesh> readPrimitive(const tinygltf::Model& model, const tinygltf::Primiti
 }  // namespace
 
 Result<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t index, const ColourTexture& texture,
-                                    std::vector<std::string>& warnings) {
+                                   std::vector<std::string>& warnings) {
     std::vector<Mesh> meshes;
     for (const tinygltf::Primitive& primitive : model.meshes[index].primitives) {
         const std::string user = meshName(model, index);
@@ -140,7 +140,7 @@ Result<std::vector<Mesh>> readMesh(const tinygltf::Model& model, std::size_t ind
         if (!primitive.targets.empty()) warnings.push_back(user + " has morph targets; it is drawn in its rest shape");
         if (primitive.material >= 0 &&
             model.materials[static_cast<std::size_t>(primitive.material)].alphaMode != "OPAQUE")
-            warnings.push_back(user + " has a transparent material; it is drawn opaque and throws shadows");
+            warnings.push_back(user + " has a transparent material; it is drawn opaque and casts shadows");
         auto mesh = readPrimitive(model, primitive, user, texture);
         if (!mesh) return tl::unexpected(mesh.error());
         if (!mesh->indices.empty()) meshes.push_back(std::move(*mesh));

@@ -82,7 +82,7 @@ Result<glm::dmat4> rigidPart(const glm::dmat4& pose, const std::string& place) {
     const double yLength = glm::length(upright);
     if (!(glm::length(x) > 0.0) || !(zLength > 0.0) || !(yLength > 1e-12 * glm::length(y)) ||
         !std::isfinite(zLength * yLength))
-        return fail("{} is scaled to nothing, so it looks nowhere; give it a scale other than 0", place);
+        return fail("{} is scaled to nothing, so it has no direction; give it a scale other than 0", place);
     const glm::dvec3 up = upright / yLength;
     return glm::dmat4(glm::dvec4(glm::cross(up, back), 0.0), glm::dvec4(up, 0.0), glm::dvec4(back, 0.0), pose[3]);
 }

@@ -1,4 +1,4 @@
-// A scene as the program draws it: plain data, read from glTF once, at one moment of its animations.
+// A scene as the program draws it: plain data, read from glTF at one time of its animations.
 #pragma once
 
 #include <kit/image/image.h>
@@ -41,7 +41,7 @@ struct Camera {
     glm::dmat4 worldFromCamera{1.0};  ///< rigid, looks along -Z, +Y up
     bool orthographic = false;
     double verticalFov = 0.0;  ///< radians, perspective only
-    double halfHeight = 0.0;   ///< metres, orthographic only; the width follows the picture's shape
+    double halfHeight = 0.0;   ///< metres, orthographic only; the width follows from the aspect ratio
     double nearPlane = 0.1;    ///< metres
     double farPlane = std::numeric_limits<double>::infinity();
 };
@@ -54,13 +54,13 @@ struct ConeAngles {
 struct SceneLight {
     Light light;
     std::optional<std::size_t> cookie;  ///< index into Scene::images; cone falloff is baked in
-    std::optional<ConeAngles> cone;     ///< what was baked in
-    std::optional<std::size_t> slide;   ///< index into Scene::slides: what it was baked into, where a cone has one
+    std::optional<ConeAngles> cone;     ///< the baked falloff
+    std::optional<std::size_t> slide;   ///< index into Scene::slides: the image that the cone was baked into, if any
     std::optional<std::size_t> noise;   ///< index into Scene::images
-    bool movingShadow = false;          ///< extras ask for a shadow map drawn anew each frame
+    bool movingShadow = false;          ///< the shadow map is drawn again each frame
 };
 
-/// A light that throws no shafts, and why.
+/// A light that makes no shafts, and why.
 struct IgnoredLight {
     std::string name;
     std::string reason;
@@ -74,8 +74,8 @@ struct Bounds {
 };
 
 struct Scene {
-    std::vector<Image> images;  ///< RGBA, what is drawn with; lights and meshes share them
-    std::vector<Image> slides;  ///< RGBA, what cones were baked into; never drawn with
+    std::vector<Image> images;  ///< RGBA, used for drawing; shared by lights and meshes
+    std::vector<Image> slides;  ///< RGBA, sources of baked cones; not used for drawing
     std::vector<Mesh> meshes;
     std::vector<MeshInstance> instances;  ///< of meshes
     std::vector<Camera> cameras;

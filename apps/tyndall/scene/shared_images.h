@@ -1,4 +1,4 @@
-// The pictures of a scene, each loaded or baked once however many meshes and lights name it.
+// The images of a scene, each loaded or baked once and shared by its users.
 #pragma once
 
 #include <compare>
@@ -18,13 +18,13 @@ class SharedImages {
 public:
     SharedImages(const tinygltf::Model& model, Scene& scene) : model_(model), scene_(scene) {}
 
-    /// Index into Scene::images. `user` names who asks, in messages.
+    /// Index into Scene::images. `user` names the user in messages.
     Result<std::size_t> texture(int texture, Encoding encoding, const std::string& user);
 
     /// Index into Scene::slides of a cookie that a cone is baked into.
     Result<std::size_t> slide(int texture, const std::string& user);
 
-    /// Index into Scene::images: the falloff of `cone`, baked into the slide where there is one.
+    /// Index into Scene::images: the falloff of `cone`, baked into the slide if there is one.
     std::size_t cone(const ConeAngles& cone, std::optional<std::size_t> slide);
 
 private:

@@ -22,10 +22,10 @@ Result<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std
 Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encoding encoding, const std::string& user) {
     const tinygltf::Image& kept = model.images[source];
     if (kept.image.empty())
-        return fail("{}: image {} could not be loaded; check that \"{}\" is there", user, source,
+        return fail(ErrorCode::File, "{}: image {} could not be loaded; check that \"{}\" exists", user, source,
                     kept.uri.empty() ? kept.name : kept.uri);
     const auto decoded = decodeImage(kept, source);
-    if (!decoded) return fail("{}: {}", user, decoded.error().message);
+    if (!decoded) return passOn(decoded.error(), user);
     const tinygltf::Image& from = *decoded;
     const std::size_t texels = static_cast<std::size_t>(from.width) * static_cast<std::size_t>(from.height);
     const std::size_t channelBytes = from.bits == 16 ? 2 : 1;
@@ -41,8 +41,7 @@ Result<Image> readImage(const tinygltf::Model& model, std::size_t source, Encodi
             } else {
                 value = static_cast<float>(from.image[4 * i + c]) / 255.0f;
             }
-            image.values[4 * i + c] =
-                encoding == Encoding::Srgb && c < 3 ? linearFromSrgb(value) : value;
+            image.values[4 * i + c] = encoding == Encoding::Srgb && c < 3 ? linearFromSrgb(value) : value;
         }
     return image;
 }

@@ -11,8 +11,8 @@ enum class Encoding {
     Linear,  ///< data: noise
 };
 
-/// Which of the file's images a glTF texture shows; exporters give each material a texture of its own, and all
-/// of them one image. `user` names who asks. Errors: an index out of range, a texture without image.
+/// The index of a glTF texture's image. Exporters give each material its own texture, and several textures one
+/// image. `user` names the user in messages. Errors: an index out of range, a texture without image.
 Result<std::size_t> imageOf(const tinygltf::Model& model, int texture, const std::string& user);
 
 /// Decodes an image of the file. Errors: it is missing or damaged.

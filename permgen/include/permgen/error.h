@@ -17,6 +17,7 @@ enum class ErrorCode : std::uint16_t {
     Format = 5,             ///< a file was read, but its content is invalid
     Interrupted = 6,        ///< the caller stopped the work
     Inaccurate = 7,         ///< a result misses the requested accuracy or limit
+    Internal = 8,           ///< a fault of the library itself: please report it
 };
 
 struct Error {

@@ -57,6 +57,7 @@ public:
 private:
     constexpr explicit TermSet(std::size_t bits) : bits_(static_cast<std::uint8_t>(bits)) {}
     static constexpr unsigned bitOf(Term term) { return 1u << static_cast<unsigned>(term); }
+    static_assert(allTerms.size() <= 8);
     std::uint8_t bits_ = 0;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-
 namespace tyndall {
 
 std::string text(double number) {

@@ -10,9 +10,9 @@ void throwCapacityExceeded(std::size_t capacity, const std::source_location& whe
 }
 
 Error internalError(const CapacityExceeded& exceeded) {
-    return {ErrorCode::InvalidArgument, std::string("internal: ") + exceeded.what() +
-                                            "; this is a fault of the library: report it with the lights, the view "
-                                            "and the surroundings that were given"};
+    return {ErrorCode::Internal, std::string("internal: ") + exceeded.what() +
+                                     "; this is a fault of the library: report it with the lights, the view "
+                                     "and the surroundings that were given"};
 }
 
 }  // namespace tyndall

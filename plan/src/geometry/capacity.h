@@ -2,11 +2,11 @@
 // the library. It is never hidden: the stage throws, and Planner::plan() returns an Error.
 #pragma once
 
+#include <tyndall/result.h>
+
 #include <cstddef>
 #include <source_location>
 #include <stdexcept>
-
-#include <tyndall/result.h>
 
 namespace tyndall {
 

@@ -9,8 +9,8 @@
 namespace tyndall {
 
 struct SlicePolygon {
-    /// A rectangle gains at most one corner from each half plane: 4 + 6 of the light's shape + 6 clip planes + 4 walls +
-    /// 8 sides of the cookie + 4 of the guard band + 8 ends and cuts of a partition.
+    /// A rectangle gains at most one corner from each half plane: 4 + 6 of the light's shape + 6 clip planes + 4 walls
+    /// + 8 sides of the cookie + 4 of the guard band + 8 ends and cuts of a partition.
     static constexpr std::size_t capacity = 40;
     std::array<glm::dvec2, capacity> corners;  ///< view-space x and y, counter-clockwise as the eye sees it
     std::size_t count = 0;                     ///< 0, or at least 3

@@ -46,7 +46,8 @@ PerTerm<TermVerdict> askedTerms(const Light& light, const PlanOptions& options) 
 }
 
 NeededTerms neededTerms(const PlanContext& context, const Light& light, const LightSurvey& survey,
-                        const SeenLight& seen, const PerTerm<TermVerdict>& asked, std::vector<OccluderShadow>& scratch) {
+                        const SeenLight& seen, const PerTerm<TermVerdict>& asked,
+                        std::vector<OccluderShadow>& scratch) {
     const PlanOptions& options = context.options;
     const bool physical = options.look == Look::Physical;
     const bool chosen = !options.everything && !options.terms;
@@ -70,8 +71,8 @@ NeededTerms neededTerms(const PlanContext& context, const Light& light, const Li
 
     needed.shadow = {false, light.nearPlane, light.nearPlane, {}};
     if (light.shadow && !options.terms && seen.air.any && context.surroundings.occluders) {
-        needed.shadow = shadowNeed(light, seen.pose, seen.air, seen.walls,
-                                   *context.surroundings.occluders, options.shadowMapSize, scratch);
+        needed.shadow = shadowNeed(light, seen.pose, seen.air, seen.walls, *context.surroundings.occluders,
+                                   options.shadowMapSize, scratch);
         needed.divisible = needed.shadow.needed;
         if (!options.everything && !needed.shadow.needed) needed.verdicts[Term::Shadow] = TermVerdict::NoOccluder;
     }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "needs/needs.h"
+#include "needs/stand_ins.h"
 #include "plan_context.h"
-#include "slice_constants.h"
 #include "visibility/seen_light.h"
 
 namespace tyndall {

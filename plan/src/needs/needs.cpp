@@ -144,8 +144,8 @@ ShadowNeed shadowNeed(const Light& light, const LightPose& pose, const SeenAir& 
         }
         ConvexPolyhedron solid = hexahedron(corners);
         const double margin = boxMargin + boxShare * size;
-        FrustumPlanes withMargin = changed(
-            frustum, [&](const glm::dvec4& plane) { return plane + glm::dvec4(0.0, 0.0, 0.0, margin); });
+        FrustumPlanes withMargin =
+            changed(frustum, [&](const glm::dvec4& plane) { return plane + glm::dvec4(0.0, 0.0, 0.0, margin); });
         // The rest must have slopes, so it must stay before the lamp, even if the near plane is very near to the lamp.
         withMargin.near.w = std::min(withMargin.near.w, -0.5 * light.nearPlane);
         InlineVector<glm::dvec4, maxHalfSpaces> planes;

@@ -47,7 +47,8 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
     std::array<glm::dvec3, 8> corners, toEye;
     double nearest = air.axisNear, farthest = 0.0, longest = 0.0;
     for (std::size_t i = 0; i < 8; ++i) {
-        const glm::dvec2 slope((i & 1) ? air.slopes.max.x : air.slopes.min.x, (i & 2) ? air.slopes.max.y : air.slopes.min.y);
+        const glm::dvec2 slope((i & 1) ? air.slopes.max.x : air.slopes.min.x,
+                               (i & 2) ? air.slopes.max.y : air.slopes.min.y);
         corners[i] = glm::dvec3(slope, -1.0) * ((i & 4) ? air.axisFar : air.axisNear);
         toEye[i] = view.orthographic ? glm::dvec3(pose.lightFromView[2]) : eye - corners[i];
         farthest = std::max(farthest, glm::length(corners[i]));
@@ -55,7 +56,7 @@ FactorRange scatteringRange(const Light& light, const View& view, const LightPos
     }
     // The straight line is the shortest path from lamp to eye. Parallel rays end at depth 0.
     const double minPath = view.orthographic ? std::max(nearest + air.nearDepth, -lamp.z)
-                                                 : std::max(nearest + air.nearDepth, glm::length(eye));
+                                             : std::max(nearest + air.nearDepth, glm::length(eye));
     const double maxPath = farthest + (view.orthographic ? air.farDepth : longest);
 
     const Cone fromLamp = coneAround(corners), back = coneAround(toEye);

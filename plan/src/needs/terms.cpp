@@ -33,6 +33,7 @@ constexpr slices::ps_main_key keyOf(TermSet terms) {
 static_assert(std::ranges::all_of(allTermSets,
                                   [](TermSet terms) { return slices::find_technique(keyOf(terms)).has_value(); }),
               "slices.fx lacks the technique of a set of terms");
+static_assert(slices::technique_count == TermSet::count, "slices.fx has an axis without a Term");
 
 /// By TermSet::index().
 constexpr auto techniques = [] {

@@ -9,8 +9,7 @@ double maxAttenuation(const Light& light) {
 }
 
 double maxAttenuationAlong(const Light& light, double minAxis, double maxLength, double maxSlab) {
-    const double inverseSquares =
-        std::min(maxLength / (minAxis * minAxis), (4.0 + maxSlab / minAxis) / minAxis);
+    const double inverseSquares = std::min(maxLength / (minAxis * minAxis), (4.0 + maxSlab / minAxis) / minAxis);
     return light.intensity * inverseSquares + light.ambient * maxLength;
 }
 

@@ -35,9 +35,12 @@ glm::dvec4 slopePlane(const Pyramid&, int component, double bound, Keep keep) {
 }
 
 FrustumPlanes frustumPlanes(const Pyramid& pyramid, const SlopeRange& slopes, double near, double far) {
-    return {slopePlane(pyramid, 0, slopes.min.x, Keep::Above), slopePlane(pyramid, 0, slopes.max.x, Keep::Below),
-            slopePlane(pyramid, 1, slopes.min.y, Keep::Above), slopePlane(pyramid, 1, slopes.max.y, Keep::Below),
-            axisPlane(near, Keep::Above), axisPlane(far, Keep::Below)};
+    return {slopePlane(pyramid, 0, slopes.min.x, Keep::Above),
+            slopePlane(pyramid, 0, slopes.max.x, Keep::Below),
+            slopePlane(pyramid, 1, slopes.min.y, Keep::Above),
+            slopePlane(pyramid, 1, slopes.max.y, Keep::Below),
+            axisPlane(near, Keep::Above),
+            axisPlane(far, Keep::Below)};
 }
 
 FrustumPlanes planesOf(const Pyramid& pyramid) {

@@ -2,14 +2,14 @@
 //
 // Even: N equal slabs from the farthest depth to the nearest.
 //
-// Adaptive: everything in a beam grows with the distance d from the lamp. 1/d^2 changes by its own size over d; the beam
-// itself and the texels of cookie and shadow map are as wide as d times an angle. So slabs are as thick as
+// Adaptive: everything in a beam grows with the distance d from the lamp. 1/d^2 changes by its own size over d; the
+// beam itself and the texels of cookie and shadow map are as wide as d times an angle. So slabs are as thick as
 //
 //   h(z) = scale * sqrt((growth * d(z))^2 + minThickness^2),   d(z) = secant * |z - lamp|
 //
 // at view depth z. d(z) is the smallest distance from the lamp that the light's volume has at that depth, and a slab of
-// minThickness is too thin to be seen. The number of slabs between the lamp's depth and z, the integral of dz / h(z), is
-// asinh(growth * d(z) / minThickness) / (growth * secant * scale): a closed form with an inverse. Slabs end at whole
+// minThickness is too thin to be seen. The number of slabs between the lamp's depth and z, the integral of dz / h(z),
+// is asinh(growth * d(z) / minThickness) / (growth * secant * scale): a closed form with an inverse. Slabs end at whole
 // numbers of this, and at the ends of the volume. Counting starts at the lamp's own depth, so slabs stand still in the
 // beam while the eye moves towards it. Everything here is continuous, so nothing steps.
 #pragma once

@@ -61,7 +61,8 @@ bool mayShade(const Light& light, const glm::dmat4& worldFromMesh, const MeshBou
     return true;
 }
 
-ShadowCache::Shown ShadowCache::shownBy(const Light& source, std::span<const ShadowCaster> casters, std::uint32_t size) {
+ShadowCache::Shown ShadowCache::shownBy(const Light& source, std::span<const ShadowCaster> casters,
+                                        std::uint32_t size) {
     Canonical<24> lamp;
     lamp.add(source.worldFromLight);
     for (const double value : {source.fov.x, source.fov.y, source.nearPlane, source.farPlane}) lamp.add(value);

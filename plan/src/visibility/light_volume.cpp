@@ -142,15 +142,14 @@ LightVolume lightVolume(const Light& light, const View& view, const LightPose& p
     const LightShape shape = shapeOf(light);
     LightVolume volume;
     // A plane is a row vector: the plane for p_light = M p_view becomes plane * M for p_view.
-    volume.shape = changed(planesOf(shape),
-                           [&](const glm::dvec4& plane) { return unitPlane(plane * pose.lightFromView); });
+    volume.shape =
+        changed(planesOf(shape), [&](const glm::dvec4& plane) { return unitPlane(plane * pose.lightFromView); });
     for (const glm::dvec4& plane : light.clipPlanes) volume.clipPlanes.push_back(viewPlane(plane, view.worldFromView));
     volume.hidden = measure(volume, shape, view, pose, walls, beam, seen);
     return volume;
 }
 
-Verdict hiddenBySphere(const Light& light, const View& view, const LightPose& pose,
-                        std::span<const glm::dvec4> sides) {
+Verdict hiddenBySphere(const Light& light, const View& view, const LightPose& pose, std::span<const glm::dvec4> sides) {
     const Sphere sphere = boundingSphere(shapeOf(light));
     const double radius = sphere.radius;
     const glm::dvec3 centre(pose.viewFromLight * glm::dvec4(sphere.centre, 1.0));

@@ -24,9 +24,9 @@ struct LightVolume {
     /// If the view's depth range shows none of the volume, depths and bounds are zero.
     Verdict hidden = Verdict::Drawn;
     // All planes keep dot(n, p) + d >= 0 and have unit normals.
-    FrustumPlanes shape;                                ///< of the light's shape
-    InlineVector<glm::dvec4, maxClipPlanes> clipPlanes; ///< the light's own
-    InlineVector<glm::dvec4, maxWalls> walls;           ///< the lamp's light ends at them, see walls.h
+    FrustumPlanes shape;                                 ///< of the light's shape
+    InlineVector<glm::dvec4, maxClipPlanes> clipPlanes;  ///< the light's own
+    InlineVector<glm::dvec4, maxWalls> walls;            ///< the lamp's light ends at them, see walls.h
     InlineVector<glm::dvec4, 8> beam;   ///< through the lamp; the cookie is black outside of them, see beamSides()
     InlineVector<glm::dvec4, 4> guard;  ///< sides of the view's frustum, widened by guardBand, that the volume crosses
     double nearDepth = 0.0, farDepth = 0.0;  ///< metres of view depth, including the part behind walls

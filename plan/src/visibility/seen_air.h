@@ -15,11 +15,11 @@
 namespace tyndall {
 
 struct SeenAir {
-    bool any = false;                         ///< false: surfaces hide all of it
-    double nearDepth = 0.0, farDepth = 0.0;   ///< metres of view depth
-    double axisNear = 0.0, axisFar = 0.0;     ///< metres along the light's axis
-    SlopeRange slopes;                        ///< as the lamp sees it
-    double maxLength = 0.0;                   ///< metres: maximum length of a view ray in it
+    bool any = false;                        ///< false: surfaces hide all of it
+    double nearDepth = 0.0, farDepth = 0.0;  ///< metres of view depth
+    double axisNear = 0.0, axisFar = 0.0;    ///< metres along the light's axis
+    SlopeRange slopes;                       ///< as the lamp sees it
+    double maxLength = 0.0;                  ///< metres: maximum length of a view ray in it
 };
 
 /// `seen`: the part of the volume that the view's frustum shows. A tile shows the air before its farthest surface.

@@ -17,7 +17,7 @@ struct SeenLight {
     LightVolume volume;
     SeenAir air;
     InlineVector<glm::dvec4, maxWalls> walls;  ///< view space, as wallsOf() gave them
-    bool measured = false;                      ///< the volume has depths, which drawing needs
+    bool measured = false;                     ///< the volume has depths, which drawing needs
 
     /// Whether the light may be drawn: it is seen, or everything is drawn and it has a volume.
     bool drawable(const PlanOptions& options) const {

@@ -57,8 +57,8 @@ std::array<glm::dvec3, 4> nearCorners(const View& view) {
 }
 
 // The largest blockers whose planes cross the volume beyond its near end.
-Candidates candidatesFor(const Light& light, const LightShape& shape, const View& view, std::span<const BlockerBounds> bounds,
-                         std::uint32_t mapSize) {
+Candidates candidatesFor(const Light& light, const LightShape& shape, const View& view,
+                         std::span<const BlockerBounds> bounds, std::uint32_t mapSize) {
     const glm::dvec3 lamp(light.worldFromLight[3]);
     const std::array<glm::dvec3, 4> picture = nearCorners(view);
     const glm::dmat3 lightFromWorld = glm::inverse(glm::dmat3(light.worldFromLight));
@@ -204,7 +204,8 @@ InlineVector<glm::dvec4, maxWalls> wallsOf(const Light& light, const View& view,
     for (bool changed = true; changed && !walls.empty();) {
         changed = false;
         for (std::size_t i = 0; i < walls.size() && !changed; ++i) {
-            if (covered(walls[i], walls, light, shape, blockers.blockers()[walls[i].blocker], scratch, touched[i])) continue;
+            if (covered(walls[i], walls, light, shape, blockers.blockers()[walls[i].blocker], scratch, touched[i]))
+                continue;
             Candidates kept;
             for (std::size_t k = 0; k < walls.size(); ++k)
                 if (k != i) kept.push_back(walls[k]);

@@ -1,5 +1,5 @@
-// A body as a hand would draw it: flat bands of paint, then pencil strokes where it is dark. Light shafts have no
-// part in it; it shows what permgen-rig does with anybody's effect.
+// A hand-drawn look: flat bands of paint, then pencil strokes where it is dark. It is not about light shafts; it shows
+// that permgen-rig works with any effect.
 
 float4x4 gClipFromWorld;
 float4x4 gWorldFromBody;
@@ -45,8 +45,8 @@ Surface vs_body(Corner corner)
     return surface;
 }
 
-// As many flat bands as asked for; with none the light stays smooth. A gloss above 0 is the cosine from which on the
-// highlight is white.
+// The given number of flat bands; with 0 the light stays smooth. A gloss above 0 is the smallest cosine of the white
+// highlight.
 float4 ps_paint(float3 normal : TEXCOORD0, float3 world : TEXCOORD1, float2 uv : TEXCOORD2,
                 uniform int nBands, uniform float fGloss, uniform bool bPaper) : COLOR0
 {
@@ -65,7 +65,7 @@ float4 ps_paint(float3 normal : TEXCOORD0, float3 world : TEXCOORD1, float2 uv :
     return float4(colour, 1.0);
 }
 
-// Multiplied into what the paint left: white leaves it alone.
+// Multiplied with the paint: white changes nothing.
 float4 ps_pencil(float3 normal : TEXCOORD0, float2 uv : TEXCOORD2,
                  uniform float fPressure, uniform bool bCrossed) : COLOR0
 {

@@ -9,15 +9,15 @@
 
 namespace headless {
 
-enum class MemoryPlace {
+enum class MemoryKind {
     Host,    ///< mapped for as long as the buffer lives, coherent
-    Device,  ///< the GPU's own, not mapped
+    Device,  ///< the GPU's own memory, not mapped
 };
 
 class Buffer {
 public:
     /// Bounds: `size` from 1 byte. Errors: InvalidArgument, Vulkan.
-    static Result<Buffer> create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, MemoryPlace place,
+    static Result<Buffer> create(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, MemoryKind kind,
                                  std::string_view name = {});
     /// A host buffer that holds `bytes`.
     static Result<Buffer> create(const Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage,

@@ -10,8 +10,8 @@
 namespace headless {
 
 /// Records with `record`, submits, waits for the fence. Returns the milliseconds from the submission to
-/// the fence's signal by the host's clock: the recording is not in it. Timestamp queries mislead on a
-/// software device, a fence does not. Nothing is submitted where `record` returns an error; it is passed on.
+/// the fence's signal by the host's clock: recording is not counted. Timestamp queries are wrong on a
+/// software device, a fence is not. If `record` returns an error, nothing is submitted and the error is returned.
 Result<double> submitAndWait(const Device& device, const std::function<Result<void>(VkCommandBuffer)>& record);
 
 /// The same for a recording that cannot fail.
@@ -25,7 +25,7 @@ requires std::is_void_v<std::invoke_result_t<Record&, VkCommandBuffer>> Result<d
 }
 
 /// Moves the whole image from one layout to the other, after everything recorded before and before
-/// everything recorded after. VK_IMAGE_LAYOUT_UNDEFINED as `from` discards what was in it.
+/// everything recorded after. VK_IMAGE_LAYOUT_UNDEFINED as `from` discards its content.
 void transition(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, VkImageLayout from,
                 VkImageLayout to);
 void transition(VkCommandBuffer commands, const Image& image, VkImageLayout from, VkImageLayout to);

@@ -11,7 +11,7 @@
 namespace headless {
 
 /// Bytes of one texel as copied to a buffer (the depth aspect of a depth format); 0 for a format that
-/// this library does not know: block-compressed, multi-planar and the rarer packed ones.
+/// this library does not know: block-compressed, multi-planar and rare packed formats.
 std::uint32_t texelBytes(VkFormat format);
 
 /// The aspect that views and copies use: depth for depth formats, else colour.
@@ -35,7 +35,7 @@ public:
     ~Image();
 
     VkImage handle() const { return image_; }
-    /// Of the whole image; null where the usage allows no view.
+    /// A view of the whole image; null if the usage allows no view.
     VkImageView view() const { return view_; }
     VkExtent2D extent() const { return extent_; }
     VkFormat format() const { return format_; }
@@ -52,7 +52,7 @@ private:
 };
 
 /// Fills the image with `texels` (rows top to bottom, no padding) and leaves it in `layout`. Waits.
-/// The image's usage must have TRANSFER_DST. Errors: InvalidArgument where the number of bytes is not the
+/// The image's usage must have TRANSFER_DST. Errors: InvalidArgument if the number of bytes is not the
 /// image's, Vulkan.
 Result<void> upload(const Device& device, const Image& image, std::span<const std::byte> texels,
                     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);

@@ -1,4 +1,4 @@
-// Errors here are the runtime's: values with one sentence and, where a call failed, Vulkan's own result.
+// Errors are the runtime's: values with one sentence and, if a call failed, Vulkan's result.
 #pragma once
 
 #include <tyndall/result.h>

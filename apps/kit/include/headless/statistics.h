@@ -1,4 +1,4 @@
-// How many fragments a stretch of a command buffer shaded.
+// The number of fragments that a part of a command buffer shades.
 #pragma once
 
 #include <headless/device.h>
@@ -8,7 +8,7 @@
 namespace headless {
 
 /// Counts fragment shader invocations between begin() and end(). Drivers may round up to whole tiles:
-/// bound the figure, never compare it for equality.
+/// compare the number with bounds, never for equality.
 class FragmentCounter {
 public:
     /// Errors: UnsupportedDevice without pipelineStatisticsQuery, Vulkan.
@@ -18,10 +18,10 @@ public:
     FragmentCounter& operator=(FragmentCounter&& other) noexcept;
     ~FragmentCounter();
 
-    /// Outside of rendering, once each per submission.
+    /// Call each outside of rendering, once per submission.
     void begin(VkCommandBuffer commands) const;
     void end(VkCommandBuffer commands) const;
-    /// After the submission has finished.
+    /// Call it after the submission has finished.
     Result<std::uint64_t> invocations() const;
 
 private:

@@ -1,4 +1,4 @@
-// How far a picture is from the one expected, and whether that is too far.
+// Compares a picture with the expected one, within a tolerance.
 #pragma once
 
 #include <rig/image.h>
@@ -18,20 +18,20 @@ struct Difference {
 };
 Difference difference(const Image& image, const Image& expected);
 
-/// How close is close enough: what other processors draw differently, and no more.
+/// Allowed differences: those between processors, no more.
 enum class Tolerance {
     Exact,  ///< bit for bit
-    Float,  ///< 2e-5 of the largest magnitude in the same channel of the expected image: sums of slices lose
-            ///< relative to their total, and the dark end of a picture inherits what its bright end lost
+    Float,  ///< 2e-5 of the largest magnitude in the same channel of the expected image: rounding errors
+            ///< of sums of slices are relative to the total, and dark pixels can have the errors of bright ones
     Half,   ///< one unit in the last place of binary16, value by value
-    Byte,   ///< in 255ths: 3 at most, and over 1 in no more than 0.1 % of the pixels
+    Byte,   ///< in 255ths: at most 3, and more than 1 in at most 0.1 % of the pixels
 };
 
-/// Empty where `image` is finite, has the shape of `expected` and is as close to it as `tolerance` asks; else
+/// Empty if `image` is finite, has the shape of `expected` and is within `tolerance` of it; else
 /// one sentence with the figures.
 std::string whyDifferent(const Image& image, const Image& expected, Tolerance tolerance);
 
-/// Empty where every value is finite, else one sentence that counts NaN and infinity apart.
+/// Empty if every value is finite, else one sentence with the counts of NaN and infinity.
 std::string whyNotFinite(const Image& image);
 
 }  // namespace tyndall::rig

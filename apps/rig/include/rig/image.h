@@ -1,4 +1,4 @@
-// The images that the rig compares, and how it reads them.
+// Reads the images that the rig compares.
 #pragma once
 
 #include <kit/fail.h>

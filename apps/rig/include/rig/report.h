@@ -1,13 +1,13 @@
 // The page of failures: one folder for each failing comparison, and one index.html made of all of them.
 //
-//   FOLDER/index.html                         every failure, pictures side by side; needs nothing else
-//   FOLDER/entries/KEY/entry.json             what failed, by how much, and the command that shows it again
-//   FOLDER/entries/KEY/image.exr, .png        what was drawn
-//   FOLDER/entries/KEY/expected.exr, .png     what should have been, where that is known
+//   FOLDER/index.html                         every failure, pictures side by side; one self-contained file
+//   FOLDER/entries/KEY/entry.json             the failed check, the figures, and the command to repeat it
+//   FOLDER/entries/KEY/image.exr, .png        the drawn picture
+//   FOLDER/entries/KEY/expected.exr, .png     the expected picture, if known
 //   FOLDER/entries/KEY/difference.exr, .png   |image - expected|
 //
 // Several processes may report into one folder at a time: a lock is held while an entry and the page are
-// written, and readers of the page never meet half of one.
+// written, and readers never see a partial page.
 #pragma once
 
 #include <rig/image.h>
@@ -18,7 +18,7 @@
 
 namespace tyndall::rig {
 
-/// Which comparison it is: the four together are unique in a folder. `pass` may be empty.
+/// Identifies the comparison: the four together are unique in a folder. `pass` may be empty.
 struct Subject {
     std::string effect, technique, pass;
     std::string check;  ///< "golden", "oracle, seen from the side"
@@ -32,23 +32,22 @@ struct Failure {
 };
 
 /// Adds or replaces the failure's entry and rebuilds the page. Either image may be null.
-/// Errors: the folder cannot be written, or its index.html is no such page; nothing is changed then.
+/// Errors: the folder cannot be written, or its index.html is not such a page; nothing is changed then.
 Result<void> reportFailure(const std::string& folder, const Failure& failure, const Image* image,
-                            const Image* expected);
+                           const Image* expected);
 
-/// Removes what an earlier run reported of this comparison, and rebuilds the page where that was something.
-/// Makes no folder.
+/// Removes the entry of this comparison, and rebuilds the page if there was one. Makes no folder.
 Result<void> reportPass(const std::string& folder, const Subject& subject);
 
-/// Removes what earlier runs reported of techniques that the effect no longer has, and rebuilds the page where that
-/// was something. Makes no folder.
+/// Removes the entries of techniques that the effect no longer has, and rebuilds the page if there were any.
+/// Makes no folder.
 Result<void> reportTechniques(const std::string& folder, const std::string& effect,
-                               const std::vector<std::string>& techniques);
+                              const std::vector<std::string>& techniques);
 
 /// The folder name of the subject's entry: readable, and different for different subjects.
 std::string entryKey(const Subject& subject);
 
-/// `words` as one line for a POSIX shell, quoted where they have to be.
+/// `words` as one line for a POSIX shell, quoted where needed.
 std::string shellCommand(const std::vector<std::string>& words);
 
 }  // namespace tyndall::rig

@@ -1,4 +1,4 @@
-#include "back/names.h"
+#include "common/names.h"
 
 #include "d3d9/states.h"
 

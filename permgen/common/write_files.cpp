@@ -1,4 +1,4 @@
-#include "emit/write_files.h"
+#include "common/write_files.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -132,11 +132,12 @@ Transaction::~Transaction() {
 
 }  // namespace
 
-std::string write_files(const std::vector<OutputFile>& files) {
+Result<void> write_files(const std::vector<OutputFile>& files) {
+    const auto failed = [](std::string why) { return tl::unexpected(Error{ErrorCode::File, std::move(why)}); };
     Transaction transaction;
     for (const OutputFile& file : files)
-        if (std::string why = transaction.stage(file); !why.empty()) return why;
-    if (std::string why = transaction.publish(); !why.empty()) return why;
+        if (std::string why = transaction.stage(file); !why.empty()) return failed(std::move(why));
+    if (std::string why = transaction.publish(); !why.empty()) return failed(std::move(why));
     transaction.keep();
     return {};
 }

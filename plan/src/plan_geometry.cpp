@@ -1,4 +1,4 @@
-#include "geometry/plan_geometry.h"
+#include "plan_geometry.h"
 
 #include <cmath>
 
@@ -217,7 +217,8 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
         for (std::size_t k = 0; k < cuts.size(); ++k) {  // the walls come first
             const glm::dvec4& cut = cuts[k];
             split(polygon, glm::dvec2(cut), cut.w - cut.z * slab.middle, inside, outside);
-            if (options.everything) appendPolygon(plan, k < volume.walls.size() ? scratch : plan.indices, outside, slab);
+            if (options.everything)
+                appendPolygon(plan, k < volume.walls.size() ? scratch : plan.indices, outside, slab);
             umbra |= k < volume.walls.size() && outside.count > 0;
             polygon = inside;
         }

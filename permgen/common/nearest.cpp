@@ -1,4 +1,4 @@
-#include "front/nearest.h"
+#include "common/nearest.h"
 
 #include <algorithm>
 

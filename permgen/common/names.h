@@ -1,4 +1,4 @@
-// The words for types and kinds, in diagnostics and in the manifest.
+// The words for types and kinds, in diagnostics and in the manifest; the prefix of names in SPIR-V.
 #pragma once
 
 #include <permgen/tables.h>
@@ -8,6 +8,10 @@
 #include <string_view>
 
 namespace permgen {
+
+/// The prefix of author's names that glslang reserves (`point`, `sampler`, ...). Such members and resources have it in
+/// the SPIR-V, and not in permgen's output.
+inline constexpr std::string_view renamed_prefix = "permgen_id_";
 
 std::string_view scalar_name(ScalarType type);                           ///< "bool", "int", "uint", "float"
 std::string type_name(ScalarType type, std::uint32_t components);        ///< "float4", as in HLSL

@@ -1,8 +1,8 @@
-#include "back/spirv_module.h"
+#include "common/spirv_module.h"
 
 #include <spirv/unified1/spirv.hpp>
 
-#include "lower/lowered.h"
+#include "common/names.h"
 
 namespace permgen {
 
