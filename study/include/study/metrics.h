@@ -83,8 +83,8 @@ struct Metrics {
 };
 
 struct MetricOptions {
-    /// The relative change of the reference above which a run of equal values is a band. Rounding to half floats changes
-    /// a value by at most 2^-10 from step to step; 0.001 is just above that.
+    /// The relative change of the reference above which a run of equal values is a band. Rounding to half floats
+    /// changes a value by at most 2^-10 from step to step; 0.001 is just above that.
     double bandingThreshold = 1e-3;
 };
 
