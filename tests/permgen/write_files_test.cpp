@@ -108,7 +108,7 @@ TEST_F(WriteFiles, AFullDiskLeavesEverythingAsItWas) {
     small.rlim_cur = 1000;
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
     const std::string why =
-        write_files({{at("one"), "new"}, {at("new/two"), "2"}, {at("three"), std::string(100'000, 'x')}});
+        whyFailed(write_files({{at("one"), "new"}, {at("new/two"), "2"}, {at("three"), std::string(100'000, 'x')}}));
     ::setrlimit(RLIMIT_FSIZE, &limit);
     std::signal(SIGXFSZ, handler);
     EXPECT_NE(why.find("cannot write '" + at("three") + "': File too large"), std::string::npos) << why;

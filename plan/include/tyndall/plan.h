@@ -119,14 +119,14 @@ struct PlannedLight {
     double brightest = 0.0;  ///< bound of the radiance that a pixel gets from it, in its strongest channel; infinite
                              ///< where unknown
     int slices = 0;          ///< number of slices that are drawn
-    double nearDepth = 0.0, farDepth = 0.0;    ///< metres of view depth that the volume's slabs span, drawn or not
-    double volumeNear = 0.0, volumeFar = 0.0;  ///< metres along the light's axis: the volume after its clip planes
-    double seenNear = 0.0, seenFar = 0.0;      ///< the part of that range that the view can see
-    double firstOccluder = 0.0;                ///< with Term::Shadow: a lower bound, in metres along the axis: no
-                                               ///< occluder stands nearer to the lamp. The near plane if nothing is
-                                               ///< known, and with PlanOptions::everything or ::terms
-    bool divided = false;                      ///< some of its slices are drawn without shadow
-    std::uint32_t firstWall = 0, walls = 0;    ///< into Plan::walls: blockers that end its volume
+    double nearDepth = 0.0, farDepth = 0.0;        ///< metres of view depth that the volume's slabs span, drawn or not
+    double volumeNear = 0.0, volumeFar = 0.0;      ///< metres along the light's axis: the volume after its clip planes
+    double seenNear = 0.0, seenFar = 0.0;          ///< the part of that range that the view can see
+    double firstOccluder = 0.0;                    ///< with Term::Shadow: a lower bound, in metres along the axis: no
+                                                   ///< occluder stands nearer to the lamp. The near plane if nothing is
+                                                   ///< known, and with PlanOptions::everything or ::terms
+    bool divided = false;                          ///< some of its slices are drawn without shadow
+    std::uint32_t firstWall = 0, walls = 0;        ///< into Plan::walls: blockers that end its volume
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices; stretched quads are shared by lights
     std::size_t group = 0;                         ///< into Plan::groups
 };
@@ -157,10 +157,10 @@ struct Plan {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;     ///< triangle list into `vertices`
     std::vector<SliceConstants> constants;  ///< the uniform blocks, which parts of a light may share
-    std::vector<glm::dvec4> walls;     ///< view space, keep dot(n, p) + d >= 0: the lamp's light ends there
-    std::vector<PlannedLight> lights;  ///< one for each light given, in their order
-    std::vector<PlannedPart> parts;    ///< by group, and within it by technique, which minimizes pipeline changes
-    std::vector<CompositeGroup> groups;  ///< empty if no light is drawn
+    std::vector<glm::dvec4> walls;          ///< view space, keep dot(n, p) + d >= 0: the lamp's light ends there
+    std::vector<PlannedLight> lights;       ///< one for each light given, in their order
+    std::vector<PlannedPart> parts;         ///< by group, and within it by technique, which minimizes pipeline changes
+    std::vector<CompositeGroup> groups;     ///< empty if no light is drawn
 };
 
 /// Plans the shafts of `lights` as `view` sees them.
@@ -181,8 +181,8 @@ struct Plan {
 /// any of them is not finite (View::farPlane may be infinite), where the routed format meets a number of
 /// slices that four does not divide, where stretched quads meet more than two extra clip planes, where lights times
 /// slices exceed 2^24 (those that are drawn), where surveys or depth tiles do not have the stated number of entries,
-/// where a tile's depth is negative or not a number, or where a light's strength or noise overflows the shader's floats.
-/// Lights that would not be drawn are checked too.
+/// where a tile's depth is negative or not a number, or where a light's strength or noise overflows the shader's
+/// floats. Lights that would not be drawn are checked too.
 Result<Plan> plan(std::span<const Light> lights, const View& view, const PlanOptions& options,
                   const Surroundings& surroundings = {});
 

@@ -19,7 +19,6 @@ struct Estimate {
 /// spread gives the error. Each point is tested by itself for the light's volume, the lamp's visibility and the
 /// textures' values: no breakpoints, no clipping, no closed forms. `seed` decides the points.
 /// Errors: those of reference(); fewer than 32 samples.
-Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int samples,
-                                               std::uint64_t seed);
+Result<Estimate> monteCarlo(const ReferenceScene& scene, int x, int y, int samples, std::uint64_t seed);
 
 }  // namespace tyndall::study

@@ -46,10 +46,10 @@ struct Cone {
 /// Light::cookie, ::shadow and ::noise select a light's terms; textures of the others may be empty.
 struct ReferenceLight {
     Light light;
-    Image cookie;            ///< linear colour, three channels or more; bilinear, clamped
+    Image cookie;              ///< linear colour, three channels or more; bilinear, clamped
     std::optional<Cone> cone;  ///< multiplies the cookie, exactly; a renderer that bakes it into a texture has an error
-    Image noise;             ///< red and green carry the two maps; bilinear, wrapped
-    Image shadowMap;         ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
+    Image noise;               ///< red and green carry the two maps; bilinear, wrapped
+    Image shadowMap;           ///< Hardware: square, one channel, stored depth as lightClipFromLight() projects it; the
                                ///< comparison comes first, then the bilinear filter, clamped
 };
 
@@ -60,7 +60,7 @@ struct ReferenceScene {
     double time = 0.0;  ///< seconds; scrolls the noise
     std::vector<ReferenceLight> lights;
     std::vector<Triangle> triangles;  ///< Ideal
-    Image depth;                    ///< Hardware: width x height, one channel, stored depth as view.clipFromView
+    Image depth;                      ///< Hardware: width x height, one channel, stored depth as view.clipFromView
                                       ///< projects it, with the far plane's value in empty pixels; may be empty
     double shadowBias = 0.0;          ///< Hardware: as PlanOptions::shadowBias
 };

@@ -1,8 +1,8 @@
-#include <cstdio>
-
 #include <permgen/manifest.h>
 #include <tint.fx.h>
 #include <tyndall/plan.h>
+
+#include <cstdio>
 
 // Reads the tables at compile time, like an engine that must know the needs of each technique before the first frame.
 static_assert(tint::effect.techniques.size() == 2);
