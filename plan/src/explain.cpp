@@ -126,7 +126,8 @@ std::vector<std::string> savings(const PlannedLight& light) {
 
 double expectedFragments(const Plan& plan, const PlannedPart& part, const View& view, std::uint32_t width,
                          std::uint32_t height) {
-    const SliceConstants& constants = plan.constants[part.constants];
+    const bool slices = part.method == Method::Slices;
+    const SliceConstants constants = slices ? plan.constants[part.constants] : SliceConstants{};
     const glm::dvec3 origin(constants.boundsMin), extent = glm::dvec3(constants.boundsMax) - origin;
     const glm::dvec4 pictureSides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
     double covered = 0.0;
@@ -135,7 +136,8 @@ double expectedFragments(const Plan& plan, const PlannedPart& part, const View& 
         std::array<glm::dvec2, 3> corners;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const glm::dvec3 position(plan.vertices[plan.indices[i + k]].position);
-            const glm::dvec4 clip = view.clipFromView * glm::dvec4(origin + extent * position, 1.0);
+            const glm::dvec4 clip = slices ? view.clipFromView * glm::dvec4(origin + extent * position, 1.0)
+                                           : glm::dvec4(position, 1.0);  // an outline
             corners[k] = glm::dvec2(clip) / clip.w;
         }
         covered += triangleAreaWithin(corners, pictureSides);

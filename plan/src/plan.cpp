@@ -5,6 +5,7 @@
 #include "plan_geometry.h"
 #include "plan_groups.h"
 #include "plan_stages.h"
+#include "raycast/raycast_constants.h"
 #include "slice_constants.h"
 
 namespace tyndall {
@@ -17,15 +18,17 @@ void clear(Plan& plan) {
     plan.vertices.clear();
     plan.indices.clear();
     plan.constants.clear();
+    plan.raycasts.clear();
     plan.walls.clear();
     plan.lights.clear();
     plan.parts.clear();
     plan.groups.clear();
 }
 
-Result<void> checkSlices(std::span<const Candidate> candidates) {
+Result<void> checkSlices(const PlanOptions& options, std::span<const Candidate> candidates) {
     std::size_t slices = 0;
-    for (const Candidate& candidate : candidates) slices += static_cast<std::size_t>(candidate.slabs.count);
+    if (options.method == Method::Slices)
+        for (const Candidate& candidate : candidates) slices += static_cast<std::size_t>(candidate.slabs.count);
     if (slices <= maxSlices) return {};
     return at("plan options", {ErrorCode::InvalidArgument,
                                "plan options: " + std::to_string(candidates.size()) + " lights are to be drawn with " +
@@ -61,6 +64,7 @@ Result<void> Planner::Impl::check(std::span<const Light> lights, const View& vie
 
 void Planner::Impl::consider(const PlanContext& context, std::span<const Light> lights, Plan& plan) {
     candidates.clear();
+    scratch.outlines.clear();
     plan.lights.resize(lights.size());
     const std::span<const LightSurvey> surveys = context.surroundings.surveys;
     for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -92,13 +96,21 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
                          "density / albedo, intensity, ambient, noise scale, gain and scroll * time must each stay "
                          "under 3e38; lower them"});
         }
-        plan.constants.push_back(constants);
         planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
         const LightVolume& volume = candidate.seen.volume;
         plan.walls.insert(plan.walls.end(), volume.walls.begin(), volume.walls.end());
         planned.nearDepth = candidate.slabs.nearDepth;
         planned.farDepth = candidate.slabs.farDepth;
         planned.drawn = true;
+        planned.method = options.method;
+        if (options.method == Method::Raycast) {
+            plan.raycasts.push_back(raycastConstants(constants, light, view, options, candidate.seen.pose,
+                                                     candidate.seen.volume, candidate.slabs));
+            const auto corners = std::span(scratch.outlines).subspan(candidate.firstCorner, candidate.corners);
+            appendOutlined(plan, planned, corners);
+            continue;
+        }
+        plan.constants.push_back(constants);
         if (plan.geometry == Geometry::ExactPolygons)
             appendPolygons(plan, planned, light, candidate, options, indices);
         else
@@ -123,7 +135,7 @@ Result<void> Planner::plan(std::span<const Light> lights, const View& view, cons
     plan.scale = targetScale(options);
     impl_->consider(context, lights, plan);
     leaveOutTheFaint(options, impl_->candidates, plan.lights, impl_->omissions);
-    Result<void> done = checkSlices(impl_->candidates);
+    Result<void> done = checkSlices(options, impl_->candidates);
     if (done) done = impl_->draw(lights, view, options, plan);
     if (!done) {
         clear(plan);

@@ -4,6 +4,7 @@
 #include "needs/brightness.h"
 #include "needs/scattering.h"
 #include "plan_stages.h"
+#include "raycast/outline.h"
 #include "shape/attenuation.h"
 #include "shape/light_shape.h"
 
@@ -42,6 +43,18 @@ double visibleSlab(const Light& light, const PlanOptions& options) {
     return perMetre > 0.0 ? 0.5 * options.displayStep / perMetre : 0.0;
 }
 
+// With PlanOptions::everything, or with a volume whose seen part is unknown, all of the picture: rays find out.
+void outline(const PlanContext& context, Candidate& candidate, ConsiderScratch& scratch) {
+    // Edges of the volume that are seen edge-on end abruptly: rounding must not cut off their pixels.
+    constexpr double margin = 2e-3;
+    candidate.firstCorner = static_cast<std::uint32_t>(scratch.outlines.size());
+    if (context.options.everything || candidate.seen.verdict != Verdict::Drawn)
+        appendPicture(scratch.outlines);
+    else
+        appendOutline(scratch.outlines, scratch.lit, context.view, margin);
+    candidate.corners = static_cast<std::uint32_t>(scratch.outlines.size()) - candidate.firstCorner;
+}
+
 }  // namespace
 
 bool consider(const PlanContext& context, const Light& light, const LightSurvey& survey, PlannedLight& planned,
@@ -52,7 +65,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
     if (planned.verdict != Verdict::Drawn && !whole) return false;
 
     const PerTerm<TermVerdict> asked = planned.verdicts = askedTerms(light, options);
-    SeenLight& seen = candidate.seen = seenLight(context, light, survey, asked, scratch.walls);
+    SeenLight& seen = candidate.seen = seenLight(context, light, survey, asked, scratch.lit, scratch.walls);
     planned.verdict = seen.verdict;
     planned.volumeNear = seen.volume.axisNear;
     planned.volumeFar = seen.volume.axisFar;
@@ -72,6 +85,7 @@ bool consider(const PlanContext& context, const Light& light, const LightSurvey&
         options.shadowBias, mapErrorAt(seen.walls, light, seen.pose, seen.volume.axisLit, options.shadowMapSize));
     candidate.slabs = slabsOf(light, context.view, options, seen.pose, seen.volume, detailOf(light, survey, options),
                               visibleSlab(light, options));
+    if (options.method == Method::Raycast) outline(context, candidate, scratch);
     planned.brightest = std::numeric_limits<double>::infinity();
     if (options.look == Look::Physical && seen.air.any) {
         candidate.base = brightestWithoutTerms(light, seen.air, candidate.slabs);

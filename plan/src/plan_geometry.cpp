@@ -246,6 +246,22 @@ void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const 
     light.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - light.firstIndex;
 }
 
+void appendOutlined(Plan& plan, PlannedLight& light, std::span<const glm::dvec2> corners) {
+    light.firstIndex = static_cast<std::uint32_t>(plan.indices.size());
+    for (const glm::dvec2& corner : corners)
+        plan.vertices.push_back({glm::vec3(glm::dvec3(corner, 0.0)), 0.0f, 0xffffffffu});
+    appendFan(plan.indices, plan.vertices.size(), corners.size());
+    light.indexCount = static_cast<std::uint32_t>(plan.indices.size()) - light.firstIndex;
+    PlannedPart part;
+    part.method = Method::Raycast;
+    part.light = static_cast<std::uint32_t>(light.light);
+    part.constants = static_cast<std::uint32_t>(plan.raycasts.size() - 1);
+    part.terms = light.terms;
+    part.firstIndex = light.firstIndex;
+    part.indexCount = light.indexCount;
+    if (part.indexCount > 0) plan.parts.push_back(part);
+}
+
 void appendQuads(Plan& plan, PlannedLight& light, const Candidate& candidate, const PlanOptions& options) {
     const Slabs& slabs = candidate.slabs;
     const Range range = seenSlabs(slabs, candidate.seen.air, options.everything);

@@ -6,6 +6,7 @@
 
 #include <tyndall/plan.h>
 
+#include <span>
 #include <vector>
 
 #include "plan_stages.h"
@@ -16,6 +17,10 @@ namespace tyndall {
 /// for it pays, and the rest. `scratch` is working memory.
 void appendPolygons(Plan& plan, PlannedLight& light, const Light& source, const Candidate& candidate,
                     const PlanOptions& options, std::vector<std::uint32_t>& scratch);
+
+/// Appends the light's one part with Method::Raycast: its outline in the picture. It has the constants that
+/// Plan::raycasts got last.
+void appendOutlined(Plan& plan, PlannedLight& light, std::span<const glm::dvec2> corners);
 
 /// Appends one part of unit-cube quads for the light's slabs. Lights with even slabs differ only in their bounds and
 /// share one set of quads: only the first light appends it.

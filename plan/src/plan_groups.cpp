@@ -34,8 +34,8 @@ void formGroups(Plan& plan, std::span<const Light> lights) {
         part.group = static_cast<std::uint32_t>(light.group);
     }
     std::sort(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& a, const PlannedPart& b) {
-        return std::tuple(a.group, techniqueName(a.terms), a.light) <
-               std::tuple(b.group, techniqueName(b.terms), b.light);
+        return std::tuple(a.group, a.method, techniqueName(a.terms), a.light) <
+               std::tuple(b.group, b.method, techniqueName(b.terms), b.light);
     });
     for (std::size_t i = 0; i < plan.parts.size(); ++i) {
         CompositeGroup& group = plan.groups[plan.parts[i].group];

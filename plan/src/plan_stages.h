@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "geometry/convex_polyhedron.h"
 #include "needs/needed_terms.h"
 #include "plan_context.h"
 #include "slabs/slabs.h"
@@ -24,11 +25,14 @@ struct Candidate {
     Slabs slabs;
     double base = 0.0;        ///< brightestWithoutTerms()
     double shadowBias = 0.0;  ///< metres along the light's axis
+    std::uint32_t firstCorner = 0, corners = 0;  ///< into ConsiderScratch::outlines; Method::Raycast only
 };
 
 /// Working memory of consider() and surfaceLight().
 struct ConsiderScratch {
     WallScratch walls;
+    ConvexPolyhedron lit;
+    std::vector<glm::dvec2> outlines;  ///< clip coordinates
     std::vector<OccluderShadow> shadows;
 };
 

@@ -9,7 +9,7 @@ void surfaceLight(const PlanContext& context, const Light& light, SurfaceLight& 
 
     PerTerm<TermVerdict> asked;
     if (light.shadow) asked[Term::Shadow] = TermVerdict::Drawn;
-    const SeenLight seen = seenLight(context, light, {}, asked, scratch.walls);
+    const SeenLight seen = seenLight(context, light, {}, asked, scratch.lit, scratch.walls);
     if (seen.verdict != Verdict::Drawn) return;
     needed.lit = true;
     needed.shadow = light.shadow;

@@ -14,10 +14,11 @@ struct LightSampler {
     Neutral neutral;
 };
 
-constexpr std::array<LightSampler, 3> lightSamplers{{
+constexpr std::array<LightSampler, 4> lightSamplers{{
     {"CookieSampler", &LightTextures::cookie, Neutral::White},
     {"ScrollingNoiseSampler", &LightTextures::noise, Neutral::White},
     {"ShadowMapSampler", &LightTextures::shadowMap, Neutral::NoShadow},
+    {"ShadowHierarchySampler", &LightTextures::shadowHierarchy, Neutral::NoShadow},
 }};
 
 Result<void> checkPart(const Plan& plan, const PlannedPart& part, std::size_t textures) {
@@ -28,7 +29,7 @@ Result<void> checkPart(const Plan& plan, const PlannedPart& part, std::size_t te
     if (light.light >= textures)
         return invalidArgument("light " + std::to_string(light.light) + " has no entry in textures; give one for " +
                                "each light that was planned");
-    if (part.constants >= plan.constants.size())
+    if (part.constants >= (part.method == Method::Raycast ? plan.raycasts.size() : plan.constants.size()))
         return invalidArgument("light " + std::to_string(light.light) +
                                " uses constants that the plan does not have; use the plan as plan() made it");
     if (std::size_t{part.firstIndex} + part.indexCount > plan.indices.size())
@@ -37,23 +38,62 @@ Result<void> checkPart(const Plan& plan, const PlannedPart& part, std::size_t te
     return {};
 }
 
+/// What raycast.fx reads of the caller's images.
+Result<RaycastConstants> withImages(const Plan& plan, const PlannedPart& part, const LightTextures& given,
+                                    const ShaftTargets& targets) {
+    const auto sizeOf = [](VkImageView view, VkExtent2D size) { return view ? size : VkExtent2D{1, 1}; };
+    const VkExtent2D cookie = sizeOf(given.cookie, given.cookieSize), noise = sizeOf(given.noise, given.noiseSize);
+    const std::string whose = "light " + std::to_string(plan.lights[part.light].light) + ", drawn by raycast, ";
+    if ((part.terms.contains(Term::Cookie) && cookie.width * cookie.height == 0) ||
+        (part.terms.contains(Term::Noise) && noise.width * noise.height == 0))
+        return invalidArgument(whose + "has a texture of unknown size; give cookieSize and noiseSize with the views");
+    if (part.terms.contains(Term::Shadow) && given.shadowMap && !given.shadowHierarchy)
+        return invalidArgument(whose +
+                               "has a shadow map without a hierarchy; record one with recordShadowHierarchy() and "
+                               "give its view");
+    RaycastConstants constants = plan.raycasts[part.constants];
+    constants.texels = glm::uvec4(cookie.width, cookie.height, noise.width, noise.height);
+    constants.pixel = {2.0f / static_cast<float>(targets.extent.width),
+                       2.0f / static_cast<float>(targets.extent.height), 0.0f, 0.0f};
+    constants.surface.z = targets.depth ? 1.0f : 0.0f;
+    return constants;
+}
+
+/// The part's uniform block.
+Result<FrameRange> constantsOf(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& plan, const PlannedPart& part,
+                               const LightTextures& given, const ShaftTargets& targets) {
+    if (part.method == Method::Slices) return frame.plan.constants[part.constants];
+    const auto constants = withImages(plan, part, given, targets);
+    if (!constants) return tl::unexpected(constants.error());
+    return placeValue(frame, *constants, impl.counters);
+}
+
 /// Fills impl.draws. `neutral` becomes true if a light lacks a texture that its technique reads.
-Result<void> resolve(Renderer::Impl& impl, const Plan& plan, std::span<const PlannedPart> parts,
-                     std::span<const LightTextures> textures, const PassTarget& target, bool& neutral) {
+Result<void> resolve(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& plan, std::span<const PlannedPart> parts,
+                     std::span<const LightTextures> textures, const ShaftTargets& targets, bool& neutral) {
+    const PassTarget target = accumulationTarget(
+        plan.accumulation, targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED, targets.depthCompare);
     impl.draws.clear();
     TermSet terms;  // of the previous part: parts are sorted by technique
+    Method method = Method::Slices;
     PassPipeline pipeline;
     for (const PlannedPart& part : parts) {
         if (auto checked = checkPart(plan, part, textures.size()); !checked) return checked;
-        if (part.terms != terms || !pipeline.handle) {
-            const auto made = pipelineFor(impl.gpu, impl.pipelines, slicePipeline(impl, part.terms, target),
+        if (part.terms != terms || part.method != method || !pipeline.handle) {
+            const auto made = pipelineFor(impl.gpu, impl.pipelines, shaftPipeline(impl, part.method, part.terms, target),
                                           impl.counters.pipelinesCreated);
             if (!made) return tl::unexpected(made.error());
             pipeline = *made;
             terms = part.terms;
+            method = part.method;
         }
         const LightTextures& given = textures[plan.lights[part.light].light];
-        Renderer::Impl::PartDraw draw{&part, pipeline, {}};
+        const auto constants = constantsOf(impl, frame, plan, part, given, targets);
+        if (!constants) return tl::unexpected(constants.error());
+        Renderer::Impl::PartDraw draw{&part, pipeline, *constants,
+                                      part.method == Method::Raycast ? sizeof(RaycastConstants) : sizeof(SliceConstants),
+                                      {}};
+        draw.images.back() = {"SceneDepthSampler", targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
         for (std::size_t i = 0; i < lightSamplers.size(); ++i) {
             const LightSampler& sampler = lightSamplers[i];
             draw.images[i] = {sampler.name, given.*sampler.view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
@@ -62,6 +102,13 @@ Result<void> resolve(Renderer::Impl& impl, const Plan& plan, std::span<const Pla
                 neutralTexture(impl.gpu, impl.neutral, sampler.neutral, impl.counters.neutralTexturesCreated);
             if (!texture) return tl::unexpected(texture.error());
             draw.images[i].view = (*texture)->view;
+            neutral = true;
+        }
+        if (!targets.depth && binds(*pipeline.layout, "SceneDepthSampler")) {
+            const auto texture =
+                neutralTexture(impl.gpu, impl.neutral, Neutral::NoShadow, impl.counters.neutralTexturesCreated);
+            if (!texture) return tl::unexpected(texture.error());
+            draw.images.back() = {"SceneDepthSampler", (*texture)->view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
             neutral = true;
         }
         impl.draws.push_back(draw);
@@ -101,15 +148,14 @@ void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
 }
 
 /// With resolved images, the only possible error is a new resource in slices.fx.
-Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands, const UploadedPlan& uploaded) {
+Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands) {
     VkPipeline bound = VK_NULL_HANDLE;
     for (const Renderer::Impl::PartDraw& draw : impl.draws) {
         if (draw.pipeline.handle != bound) {
             bound = draw.pipeline.handle;
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound);
         }
-        const FrameRange& constants = uploaded.constants[draw.part->constants];
-        const NamedBuffer block{globalsBlock, {constants.buffer, constants.offset, sizeof(SliceConstants)}};
+        const NamedBuffer block{globalsBlock, {draw.constants.buffer, draw.constants.offset, draw.constantsSize}};
         const auto pushed = pushResources(impl.gpu, commands, *draw.pipeline.layout, std::span(&block, 1), draw.images);
         if (!pushed) return tl::unexpected(pushed.error());
         vkCmdDrawIndexed(commands, draw.part->indexCount, 1, draw.part->firstIndex, 0, 0);
@@ -130,18 +176,16 @@ Result<void> Renderer::recordAccumulation(VkCommandBuffer commands, FrameData& f
     if (auto checked = checkRecording(**data, plan, group, targets); !checked) return checked;
     const UploadedPlan& uploaded = (*data)->plan;
 
-    const PassTarget target = accumulationTarget(
-        plan.accumulation, targets.depth ? targets.depthFormat : VK_FORMAT_UNDEFINED, targets.depthCompare);
     bool neutral = false;
     const CompositeGroup& planned = plan.groups[group];
     const auto parts = std::span(plan.parts).subspan(planned.firstPart, planned.parts);
-    if (auto resolved = resolve(*impl_, plan, parts, textures, target, neutral); !resolved) return resolved;
+    if (auto resolved = resolve(*impl_, **data, plan, parts, textures, targets, neutral); !resolved) return resolved;
 
     if (neutral) recordNeutralFill(commands, impl_->neutral);
     beginAccumulation(commands, targets);
     bindVertices(commands, uploaded.vertices.buffer, uploaded.vertices.offset, sizeof(SliceVertex));
     vkCmdBindIndexBuffer(commands, uploaded.indices.buffer, uploaded.indices.offset, VK_INDEX_TYPE_UINT32);
-    auto drawn = drawLights(*impl_, commands, uploaded);
+    auto drawn = drawLights(*impl_, commands);
     endAccumulation(commands, targets);
     return drawn;
 }

@@ -1,6 +1,7 @@
 #include "effect_contract.h"
 
 #include <tyndall/plan.h>
+#include <tyndall/raycast_data.h>
 #include <tyndall/slice_data.h>
 
 #include <algorithm>
@@ -49,6 +50,33 @@ constexpr VertexElement sliceElements[] = {
 constexpr EffectContract slices{"slices.fx",   sliceMembers, sizeof(SliceConstants), sliceSamplers, sliceTechniques,
                                 sliceElements, true};
 
+constexpr BlockMember raycastMembers[] = {
+    {"gOrigin", offsetof(RaycastConstants, origin), 48},
+    {"gDirection", offsetof(RaycastConstants, direction), 48},
+    {"gPlanes", offsetof(RaycastConstants, planes), 288},
+    {"gVolume", offsetof(RaycastConstants, volume), 16},
+    {"gDepths", offsetof(RaycastConstants, depths), 16},
+    {"gSurface", offsetof(RaycastConstants, surface), 16},
+    {"gPixel", offsetof(RaycastConstants, pixel), 16},
+    {"gTexels", offsetof(RaycastConstants, texels), 16},
+    {"gCookieScale", offsetof(RaycastConstants, cookieScale), 16},
+    {"gAttenuation", offsetof(RaycastConstants, attenuation), 16},
+    {"gDust", offsetof(RaycastConstants, dust), 16},
+    {"gNoise1", offsetof(RaycastConstants, noise1), 16},
+    {"gNoise2", offsetof(RaycastConstants, noise2), 16},
+    {"gColour", offsetof(RaycastConstants, colour), 16},
+    {"gWeight", offsetof(RaycastConstants, weight), 16},
+    {"gShadow", offsetof(RaycastConstants, shadow), 16},
+    {"gScattering", offsetof(RaycastConstants, scattering), 16},
+    {"gChannels", offsetof(RaycastConstants, channels), 16},
+};
+constexpr std::string_view raycastSamplers[] = {"CookieSampler", "ScrollingNoiseSampler", "ShadowMapSampler",
+                                                "ShadowHierarchySampler", "SceneDepthSampler"};
+constexpr auto raycastTechniques = techniqueNames<effects::raycast::technique_count>(effects::raycast::effect);
+constexpr EffectContract raycast{"raycast.fx",    raycastMembers,    sizeof(RaycastConstants),
+                                 raycastSamplers, raycastTechniques, sliceElements,
+                                 true};
+
 constexpr BlockMember compositeMembers[] = {
     {"gTint", offsetof(CompositeConstants, tint), 16},
     {"gTexel", offsetof(CompositeConstants, texel), 16},
@@ -70,6 +98,14 @@ constexpr auto shadowMapTechniques = techniqueNames<effects::shadow_map::techniq
 constexpr VertexElement occluderElements[] = {{"POSITION0", 0, VK_FORMAT_R32G32B32_SFLOAT}};
 constexpr EffectContract shadowMap{
     "shadow_map.fx", shadowMapMembers, sizeof(glm::mat4), {}, shadowMapTechniques, occluderElements, false};
+
+constexpr BlockMember shadowHierarchyMembers[] = {{"gLevel", 0, sizeof(glm::vec4)}};
+constexpr std::string_view shadowHierarchySamplers[] = {"SourceSampler"};
+constexpr auto shadowHierarchyTechniques =
+    techniqueNames<effects::shadow_hierarchy::technique_count>(effects::shadow_hierarchy::effect);
+constexpr EffectContract shadowHierarchy{"shadow_hierarchy.fx",     shadowHierarchyMembers,    sizeof(glm::vec4),
+                                         shadowHierarchySamplers,   shadowHierarchyTechniques, screenElements,
+                                         true};
 
 // These loops look up by value. Under -fsanitize=undefined GCC 12 does not compare an address with null in a constant
 // expression, so a static_assert cannot use permgen::find_member() and find_resource() there.
@@ -97,10 +133,16 @@ constexpr bool blockFits(const permgen::Effect& effect, const EffectContract& co
 
 static_assert(misplaced(effects::slices::effect, slices).empty(), "slices.fx moved a constant");
 static_assert(blockFits(effects::slices::effect, slices), "slices.fx and SliceConstants differ in size");
+static_assert(misplaced(effects::raycast::effect, raycast).empty(), "raycast.fx moved a constant");
+static_assert(blockFits(effects::raycast::effect, raycast), "raycast.fx and RaycastConstants differ in size");
 static_assert(misplaced(effects::composite::effect, composite).empty(), "composite.fx moved a constant");
 static_assert(blockFits(effects::composite::effect, composite), "composite.fx and CompositeConstants differ in size");
 static_assert(misplaced(effects::shadow_map::effect, shadowMap).empty(), "shadow_map.fx moved its constant");
 static_assert(blockFits(effects::shadow_map::effect, shadowMap), "shadow_map.fx holds more than one matrix");
+static_assert(misplaced(effects::shadow_hierarchy::effect, shadowHierarchy).empty(),
+              "shadow_hierarchy.fx moved its constant");
+static_assert(blockFits(effects::shadow_hierarchy::effect, shadowHierarchy),
+              "shadow_hierarchy.fx holds more than one vector");
 
 Result<void> checkResources(const permgen::Effect& effect, const EffectContract& contract, const std::string& whose) {
     if (const std::string_view name = misplaced(effect, contract); !name.empty())
@@ -146,11 +188,17 @@ Result<void> checkTechnique(const permgen::Technique& technique, const EffectCon
 const EffectContract& slicesContract() {
     return slices;
 }
+const EffectContract& raycastContract() {
+    return raycast;
+}
 const EffectContract& compositeContract() {
     return composite;
 }
 const EffectContract& shadowMapContract() {
     return shadowMap;
+}
+const EffectContract& shadowHierarchyContract() {
+    return shadowHierarchy;
 }
 
 Result<void> checkEffect(const permgen::Effect& effect, const EffectContract& contract, Shaders shaders) {

@@ -32,8 +32,10 @@ struct EffectContract {
 };
 
 const EffectContract& slicesContract();
+const EffectContract& raycastContract();
 const EffectContract& compositeContract();
 const EffectContract& shadowMapContract();
+const EffectContract& shadowHierarchyContract();
 
 /// Errors: InvalidArgument naming the effect and the part that does not fit.
 Result<void> checkEffect(const permgen::Effect& effect, const EffectContract& contract, Shaders shaders);

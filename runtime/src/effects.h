@@ -1,7 +1,10 @@
-// The runtime's own effects, compiled by permgen: `effect` of each in tyndall::effects::slices, ::composite
-// and ::shadow_map. A program that compiles slices.fx itself must use another namespace.
+// The runtime's own effects, compiled by permgen: `effect` of each in tyndall::effects::slices, ::raycast,
+// ::composite, ::shadow_map and ::shadow_hierarchy. A program that compiles one of them itself must use another
+// namespace.
 #pragma once
 
 #include <composite.fx.h>
+#include <raycast.fx.h>
+#include <shadow_hierarchy.fx.h>
 #include <shadow_map.fx.h>
 #include <slices.fx.h>

@@ -7,11 +7,13 @@ Result<void> Renderer::prepare(const PipelineNeeds& needs, const ParallelFor& pa
     Impl& impl = *impl_;
     std::vector<PipelineRequest> requests;
     const PassTarget target = accumulationTarget(needs.accumulation, needs.depthFormat, needs.depthCompare);
-    for (const TermSet terms : needs.terms) requests.push_back(slicePipeline(impl, terms, target));
+    for (const TermSet terms : needs.terms) requests.push_back(shaftPipeline(impl, needs.method, terms, target));
     if (!requests.empty() && needs.colourFormat != VK_FORMAT_UNDEFINED)
         requests.push_back(compositePipeline(impl, needs.accumulation, needs.blur, needs.colourFormat));
     if (needs.shadowMapFormat != VK_FORMAT_UNDEFINED)
         requests.push_back(shadowMapPipeline(impl, needs.shadowMapFormat));
+    if (needs.method == Method::Raycast)
+        for (const bool fromMap : {true, false}) requests.push_back(shadowHierarchyPipeline(impl, fromMap));
 
     std::uint64_t made = 0;
     auto outcome = makePipelines(impl.gpu, impl.pipelines, requests, parallel, made);

@@ -6,7 +6,7 @@
 #include "composite_data.h"
 #include "effect_contract.h"
 #include "effects.h"
-#include "renderer_impl.h"
+#include "renderer_pipelines.h"
 
 namespace tyndall {
 namespace {
@@ -36,17 +36,26 @@ Result<Renderer> Renderer::create(const DeviceContext& context) {
     if (!gpu) return tl::unexpected(gpu.error());
     const auto slices = choose(context.slices, effects::slices::effect, slicesContract(), context.shaders);
     if (!slices) return tl::unexpected(slices.error());
+    const auto raycast = choose(context.raycast, effects::raycast::effect, raycastContract(), context.shaders);
+    if (!raycast) return tl::unexpected(raycast.error());
     const auto composite = choose(context.composite, effects::composite::effect, compositeContract(), Shaders::Frozen);
     if (!composite) return tl::unexpected(composite.error());
     const auto shadowMap = choose(context.shadowMap, effects::shadow_map::effect, shadowMapContract(), Shaders::Frozen);
     if (!shadowMap) return tl::unexpected(shadowMap.error());
+    const auto shadowHierarchy = choose(context.shadowHierarchy, effects::shadow_hierarchy::effect,
+                                        shadowHierarchyContract(), Shaders::Frozen);
+    if (!shadowHierarchy) return tl::unexpected(shadowHierarchy.error());
     auto impl = std::make_unique<Impl>();
     impl->gpu = *gpu;
     impl->slices = *slices;
-    for (const TermSet terms : allTermSets)  // the contract names them all
+    impl->raycast = *raycast;
+    for (const TermSet terms : allTermSets) {  // the contracts name them all
         impl->sliceTechniques[terms.index()] = permgen::find_technique(**slices, techniqueName(terms));
+        impl->raycastTechniques[terms.index()] = permgen::find_technique(**raycast, raycastTechniqueName(terms));
+    }
     impl->composite = *composite;
     impl->shadowMap = *shadowMap;
+    impl->shadowHierarchy = *shadowHierarchy;
     return Renderer(std::move(impl));
 }
 
@@ -94,6 +103,7 @@ Result<void> Renderer::upload(FrameData& frame, const Plan& plan) {
     const VkDeviceSize room = frameBytes(gpu, vertices.size()) + frameBytes(gpu, indices.size()) +
                               frameBytes(gpu, sizeof screenTriangle) +
                               plan.constants.size() * frameBytes(gpu, sizeof(SliceConstants)) +
+                              plan.raycasts.size() * frameBytes(gpu, sizeof(RaycastConstants)) +
                               plan.groups.size() * frameBytes(gpu, sizeof(CompositeConstants));
     if (auto reset = resetFrame(data, room); !reset) return reset;
 

@@ -14,8 +14,10 @@ namespace tyndall {
 
 struct Renderer::Impl {
     Gpu gpu;
-    const permgen::Effect *slices = nullptr, *composite = nullptr, *shadowMap = nullptr;
-    std::array<const permgen::Technique*, TermSet::count> sliceTechniques{};  ///< of `slices`, by TermSet::index()
+    const permgen::Effect *slices = nullptr, *raycast = nullptr, *composite = nullptr, *shadowMap = nullptr,
+                          *shadowHierarchy = nullptr;
+    /// Of `slices` and `raycast`, by TermSet::index().
+    std::array<const permgen::Technique*, TermSet::count> sliceTechniques{}, raycastTechniques{};
     PipelineStore pipelines;
     NeutralTextures neutral;
     RendererCounters counters;
@@ -24,7 +26,9 @@ struct Renderer::Impl {
     struct PartDraw {
         const PlannedPart* part = nullptr;
         PassPipeline pipeline;
-        std::array<NamedImage, 3> images{};
+        FrameRange constants;
+        VkDeviceSize constantsSize = 0;
+        std::array<NamedImage, 5> images{};
     };
     std::vector<PartDraw> draws;  ///< kept between calls for its capacity
 

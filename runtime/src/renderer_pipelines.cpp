@@ -18,9 +18,11 @@ PassTarget accumulationTarget(Accumulation accumulation, VkFormat depth, VkCompa
     return {.colours = {accumulationFormat(accumulation)}, .depth = depth, .compare = compare};
 }
 
-PipelineRequest slicePipeline(const Renderer::Impl& impl, TermSet terms, const PassTarget& target) {
-    const permgen::Technique& technique = *impl.sliceTechniques[terms.index()];
-    return {impl.slices, technique.passes.data(), impl.gpu.shaders, target, slicesContract().elements};
+PipelineRequest shaftPipeline(const Renderer::Impl& impl, Method method, TermSet terms, const PassTarget& target) {
+    const bool raycast = method == Method::Raycast;
+    const permgen::Technique& technique = *(raycast ? impl.raycastTechniques : impl.sliceTechniques)[terms.index()];
+    return {raycast ? impl.raycast : impl.slices, technique.passes.data(), impl.gpu.shaders, target,
+            (raycast ? raycastContract() : slicesContract()).elements};
 }
 
 PipelineRequest compositePipeline(const Renderer::Impl& impl, Accumulation accumulation, bool blur, VkFormat colour) {
@@ -28,6 +30,26 @@ PipelineRequest compositePipeline(const Renderer::Impl& impl, Accumulation accum
     const permgen::Technique* technique = permgen::find_technique(*impl.composite, compositeTechnique(routed, blur));
     return {
         impl.composite, technique->passes.data(), Shaders::Frozen, {.colours = {colour}}, compositeContract().elements};
+}
+
+PipelineRequest shadowHierarchyPipeline(const Renderer::Impl& impl, bool fromMap) {
+    namespace hierarchy = effects::shadow_hierarchy;
+    const std::string_view name = hierarchy::technique(*hierarchy::find_technique({.bFromMap = fromMap})).name;
+    const permgen::Technique* technique = permgen::find_technique(*impl.shadowHierarchy, name);
+    return {impl.shadowHierarchy,
+            technique->passes.data(),
+            Shaders::Frozen,
+            {.colours = {shadowHierarchyFormat}},
+            shadowHierarchyContract().elements};
+}
+
+std::string_view raycastTechniqueName(TermSet terms) {
+    namespace raycast = effects::raycast;
+    return raycast::technique(*raycast::find_technique({.bScrollingNoise = terms.contains(Term::Noise),
+                                                        .bShadowMapping = terms.contains(Term::Shadow),
+                                                        .bCookie = terms.contains(Term::Cookie),
+                                                        .bScattering = terms.contains(Term::Scattering)}))
+        .name;
 }
 
 PipelineRequest shadowMapPipeline(const Renderer::Impl& impl, VkFormat map) {

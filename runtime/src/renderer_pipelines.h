@@ -8,10 +8,17 @@ namespace tyndall {
 /// `depth` UNDEFINED: no depth test.
 PassTarget accumulationTarget(Accumulation accumulation, VkFormat depth, VkCompareOp compare);
 
-PipelineRequest slicePipeline(const Renderer::Impl& impl, TermSet terms, const PassTarget& target);
+/// Of one part of a plan.
+PipelineRequest shaftPipeline(const Renderer::Impl& impl, Method method, TermSet terms, const PassTarget& target);
 
 PipelineRequest compositePipeline(const Renderer::Impl& impl, Accumulation accumulation, bool blur, VkFormat colour);
 
 PipelineRequest shadowMapPipeline(const Renderer::Impl& impl, VkFormat map);
+
+/// `fromMap`: draws the first level; otherwise one of the others.
+PipelineRequest shadowHierarchyPipeline(const Renderer::Impl& impl, bool fromMap);
+
+/// The technique of raycast.fx that has exactly these terms.
+std::string_view raycastTechniqueName(TermSet terms);
 
 }  // namespace tyndall

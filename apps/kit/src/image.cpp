@@ -32,6 +32,22 @@ Result<void> checkInfo(const Device& device, const ImageInfo& info) {
     return {};
 }
 
+/// Of `count` mip levels from `first` on.
+Result<VkImageView> createView(const Device& device, VkImage image, const ImageInfo& info, std::uint32_t first,
+                               std::uint32_t count) {
+    VkImageViewCreateInfo create{};
+    create.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    create.image = image;
+    create.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    create.format = info.format;
+    create.subresourceRange = {imageAspect(info.format), first, count, 0, 1};
+    VkImageView view = VK_NULL_HANDLE;
+    const VkResult result = vkCreateImageView(device.device(), &create, nullptr, &view);
+    if (result != VK_SUCCESS) return vulkanError("vkCreateImageView", result);
+    device.setName(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(view), info.name);
+    return view;
+}
+
 }  // namespace
 
 Result<Image> Image::create(const Device& device, const ImageInfo& info) {
@@ -46,7 +62,7 @@ Result<Image> Image::create(const Device& device, const ImageInfo& info) {
     create.imageType = VK_IMAGE_TYPE_2D;
     create.format = info.format;
     create.extent = {info.extent.width, info.extent.height, 1};
-    create.mipLevels = 1;
+    create.mipLevels = info.levels;
     create.arrayLayers = 1;
     create.samples = VK_SAMPLE_COUNT_1_BIT;
     create.tiling = VK_IMAGE_TILING_OPTIMAL;
@@ -66,15 +82,14 @@ Result<Image> Image::create(const Device& device, const ImageInfo& info) {
     device.setName(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image.image_), info.name);
 
     if (info.usage & viewableUsage) {
-        VkImageViewCreateInfo view{};
-        view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-        view.image = image.image_;
-        view.viewType = VK_IMAGE_VIEW_TYPE_2D;
-        view.format = info.format;
-        view.subresourceRange = {imageAspect(info.format), 0, 1, 0, 1};
-        result = vkCreateImageView(handle, &view, nullptr, &image.view_);
-        if (result != VK_SUCCESS) return vulkanError("vkCreateImageView", result);
-        device.setName(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(image.view_), info.name);
+        const auto view = createView(device, image.image_, info, 0, info.levels);
+        if (!view) return tl::unexpected(view.error());
+        image.view_ = *view;
+        for (std::uint32_t level = 0; info.levels > 1 && level < info.levels; ++level) {
+            const auto one = createView(device, image.image_, info, level, 1);
+            if (!one) return tl::unexpected(one.error());
+            image.levels_.push_back(*one);
+        }
     }
     return image;
 }
@@ -87,6 +102,7 @@ Image& Image::operator=(Image&& other) noexcept {
     std::swap(core_, other.core_);
     std::swap(image_, other.image_);
     std::swap(view_, other.view_);
+    std::swap(levels_, other.levels_);
     std::swap(memory_, other.memory_);
     std::swap(allocated_, other.allocated_);
     std::swap(extent_, other.extent_);
@@ -96,6 +112,7 @@ Image& Image::operator=(Image&& other) noexcept {
 
 Image::~Image() {
     if (!core_) return;
+    for (const VkImageView level : levels_) vkDestroyImageView(core_->device, level, nullptr);
     vkDestroyImageView(core_->device, view_, nullptr);
     vkDestroyImage(core_->device, image_, nullptr);
     release(*core_, memory_, allocated_);

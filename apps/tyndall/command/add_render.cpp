@@ -11,6 +11,7 @@ namespace {
 
 void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts, SliceCount& slices) {
     addChoice(app, "--layer", view.layer, layerWords, "what to draw");
+    addChoice(app, "--method", shafts.plan.method, methodWords, "the way to the shafts");
     addTechnique(app, shafts.plan.terms, "technique of slices.fx for every light");
     addChoice(app, "--accum", shafts.plan.accumulation, accumulationWords, "where slices are added up");
     addOptional(app, "--planes", slices.planes, "N", "number of equal slices a light, 1 to 65536; as many as needed");
@@ -62,6 +63,11 @@ Result<void> checkShafts(ShaftOptions& shafts, const SliceCount& slices) {
         return fail("--planes: {} is out of bounds; take from 1 to 65536", *slices.planes);
     if (slices.maxSlices && (*slices.maxSlices < 1 || *slices.maxSlices > 65536))
         return fail("--max-slices: {} is out of bounds; take from 1 to 65536", *slices.maxSlices);
+    if (shafts.plan.method == Method::Raycast && (slices.planes || slices.maxSlices))
+        return fail("{}: has no effect with --method raycast, which has no slices; leave it out",
+                    slices.planes ? "--planes" : "--max-slices");
+    if (shafts.plan.method == Method::Raycast && shafts.plan.geometry == Geometry::StretchedQuads)
+        return fail("--geometry: quads has no effect with --method raycast, which has no slices; leave it out");
     if (slices.maxSlices && (slices.planes || shafts.plan.look == Look::Article))
         return fail("--max-slices: has no effect with {0}; leave {0} out",
                     slices.planes ? "--planes" : "--look article");

@@ -33,7 +33,10 @@ std::vector<LightCost> lightCosts(const Plan& plan, const View& view, const Size
             if (index(i)) cost.geometryBytes += sizeof(plan.indices[i]);
             if (vertex(plan.indices[i])) cost.geometryBytes += sizeof(SliceVertex);
         }
-        if (constants(part.constants)) cost.geometryBytes += sizeof(SliceConstants);
+        if (part.method == Method::Raycast)
+            cost.geometryBytes += sizeof(RaycastConstants);
+        else if (constants(part.constants))
+            cost.geometryBytes += sizeof(SliceConstants);
     }
     for (std::size_t i = 0; i < costs.size(); ++i)
         if (plan.lights[i].drawn && plan.lights[i].terms.contains(Term::Shadow))

@@ -19,6 +19,8 @@ constexpr Words<Accumulation, 4> accumulationWords{{{"rgba8", Accumulation::Rgba
                                                     {"rgba8-routed", Accumulation::Rgba8Routed},
                                                     {"rgba16f", Accumulation::Rgba16f},
                                                     {"rgba32f", Accumulation::Rgba32f}}};
+constexpr Words<Method, 2> methodWords{
+    {{nameOf(Method::Slices), Method::Slices}, {nameOf(Method::Raycast), Method::Raycast}}};
 constexpr Words<Geometry, 2> geometryWords{
     {{"polygons", Geometry::ExactPolygons}, {"quads", Geometry::StretchedQuads}}};
 constexpr Words<Look, 2> lookWords{{{"physical", Look::Physical}, {"article", Look::Article}}};

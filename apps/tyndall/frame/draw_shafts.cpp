@@ -15,7 +15,10 @@ std::vector<LightTextures> texturesOf(const PlannedScene& planned, const ShadowM
         const SceneLight& light = scene.lights[i];
         textures[i] = {.cookie = light.cookie ? gpu.images[*light.cookie].view() : VK_NULL_HANDLE,
                        .noise = light.noise ? gpu.images[*light.noise].view() : VK_NULL_HANDLE,
-                       .shadowMap = maps.view(i)};
+                       .shadowMap = maps.view(i),
+                       .shadowHierarchy = maps.hierarchy(i),
+                       .cookieSize = light.cookie ? gpu.images[*light.cookie].extent() : VkExtent2D{},
+                       .noiseSize = light.noise ? gpu.images[*light.noise].extent() : VkExtent2D{}};
     }
     return textures;
 }

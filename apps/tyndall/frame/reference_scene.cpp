@@ -74,7 +74,7 @@ Result<study::ReferenceScene> hardwareScene(const headless::Device& device, cons
     std::vector<std::size_t> shadowed;
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         if (scene.lights[i].light.shadow) shadowed.push_back(i);
-    if (auto drawn = renderer->drawShadowMaps(viewed, shadowed, shadowSize); !drawn)
+    if (auto drawn = renderer->drawShadowMaps(viewed, shadowed, shadowSize, false); !drawn)
         return tl::unexpected(drawn.error());
     auto depth = readDepth(device, renderer->targets().depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
     if (!depth) return tl::unexpected(depth.error());

@@ -54,8 +54,8 @@ Result<SceneRenderer> SceneRenderer::create(const headless::Device& device, cons
 }
 
 Result<void> SceneRenderer::drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
-                                           std::uint32_t shadowSize) {
-    const auto time = maps_.draw(*device_, renderer_, viewed, lights, gpu_, shadowSize);
+                                           std::uint32_t shadowSize, bool hierarchies) {
+    const auto time = maps_.draw(*device_, renderer_, viewed, lights, gpu_, shadowSize, hierarchies);
     if (!time) return tl::unexpected(time.error());
     frame_.shadowMaps += *time;
     return {};
@@ -65,7 +65,7 @@ Result<void> SceneRenderer::drawSurfaces(const ViewedScene& viewed, std::span<co
                                          std::uint32_t shadowSize, bool lit) {
     if (auto fitted = fit(*device_, targets_, size); !fitted) return fitted;
     if (lit)
-        if (auto drawn = drawShadowMaps(viewed, mapsCalledFor(lights), shadowSize); !drawn) return drawn;
+        if (auto drawn = drawShadowMaps(viewed, mapsCalledFor(lights), shadowSize, false); !drawn) return drawn;
     auto uploaded = uploadImages(*device_, viewed.scene, surfaceImages(viewed, lights, lit), gpu_);
     if (!uploaded) return uploaded;
     auto prepared = prepareSurfaces(*device_, surfacePipelines_, colourFormat, depthFormat,
@@ -115,6 +115,7 @@ Result<void> SceneRenderer::preparePipelines(const Plan& plan) {
     for (const PlannedPart& part : plan.parts) terms.push_back(part.terms);
     const auto start = std::chrono::steady_clock::now();
     auto prepared = passOn(renderer_.prepare({.terms = terms,
+                                              .method = plan.parts.empty() ? Method::Slices : plan.parts[0].method,
                                               .accumulation = plan.accumulation,
                                               .depthFormat = depthFormat,
                                               .colourFormat = colourFormat,
@@ -132,7 +133,8 @@ Result<void> SceneRenderer::drawPlanned(PlannedScene& planned, const ShaftOption
     const std::vector<bool> images = shafts.plan.everything ? std::vector<bool>(planned.scene.images.size(), true)
                                                             : shaftImages(planned.scene, planned.plan);
     if (auto uploaded = uploadImages(*device_, planned.scene, images, gpu_); !uploaded) return uploaded;
-    if (auto drawn = drawShadowMaps(planned, mapsCalledFor(planned), shafts.plan.shadowMapSize); !drawn) return drawn;
+    if (auto drawn = drawShadowMaps(planned, mapsCalledFor(planned), shafts.plan.shadowMapSize,
+                                    shafts.plan.method == Method::Raycast); !drawn) return drawn;
     if (planned.plan.groups.empty()) return {};
     if (auto fitted = fitAccumulation(*device_, targets_, shafts.plan.accumulation); !fitted) return fitted;
     const std::vector<LightTextures> textures = texturesOf(planned, maps_, gpu_);

@@ -43,7 +43,7 @@ public:
     Result<void> drawSurfaces(const ViewedScene& viewed, std::span<const SurfaceLight> lights, Size size,
                               std::uint32_t shadowSize, bool lit);
     Result<void> drawShadowMaps(const ViewedScene& viewed, std::span<const std::size_t> lights,
-                                std::uint32_t shadowSize);
+                                std::uint32_t shadowSize, bool hierarchies);
 
     const FrameTargets& targets() const { return targets_; }
     const ShadowMaps& shadowMaps() const { return maps_; }

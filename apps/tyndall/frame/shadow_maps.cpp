@@ -5,11 +5,34 @@
 #include <algorithm>
 
 namespace tyndall::app {
+namespace {
+
+Result<void> fitHierarchy(const headless::Device& device, headless::Image& image, std::uint32_t mapSize) {
+    if (image.handle()) return {};
+    const std::uint32_t side = shadowHierarchySide(mapSize);
+    auto made = headless::Image::create(
+        device, {.extent = {side, side},
+                 .format = shadowHierarchyFormat,
+                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                 .name = "shadow hierarchy",
+                 .levels = shadowHierarchyLevels(mapSize)});
+    if (!made) return passOn(made.error(), "the shadow hierarchy");
+    image = std::move(*made);
+    return {};
+}
+
+}  // namespace
 
 const headless::Image* ShadowMaps::image(std::size_t light) const {
     if (light >= slotOf_.size() || !slotOf_[light]) return nullptr;
     const Slot& slot = slots_[*slotOf_[light]];
     return slot.frame == frame_ ? &slot.image : nullptr;
+}
+
+VkImageView ShadowMaps::hierarchy(std::size_t light) const {
+    if (!image(light)) return VK_NULL_HANDLE;
+    const Slot& slot = slots_[*slotOf_[light]];
+    return slot.hierarchyDrawn ? slot.hierarchy.view() : VK_NULL_HANDLE;
 }
 
 Result<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::size_t light, std::uint32_t size) {
@@ -27,12 +50,16 @@ Result<std::size_t> ShadowMaps::slotFor(const headless::Device& device, std::siz
                                                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                                                   .name = "shadow map"});
     if (!image) return passOn(image.error(), fmt::format("--shadow-size {}", size));
-    slots_.push_back({std::move(*image), light, frame_});
+    Slot& slot = slots_.emplace_back();
+    slot.image = std::move(*image);
+    slot.light = light;
+    slot.frame = frame_;
     return *(slotOf_[light] = slots_.size() - 1);
 }
 
 Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
-                                std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size) {
+                                std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size,
+                                bool hierarchies) {
     if (size != size_) {
         slots_.clear();
         slotOf_.clear();
@@ -49,6 +76,7 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
         std::vector<ShadowCaster> casters;
     };
     std::vector<Stale> stale;
+    std::vector<std::size_t> withoutHierarchy;  // slots
     std::vector<Occluder> occluders;
     std::vector<ShadowCaster> casters;
     for (const std::size_t light : lights) {
@@ -63,8 +91,14 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
         }
         if (cache_.stale(light, viewed.lights[light], casters, size))
             stale.push_back({light, *slot, occluders, casters});
+        Slot& used = slots_[*slot];
+        if (!stale.empty() && stale.back().slot == *slot) used.hierarchyDrawn = false;
+        if (hierarchies && !used.hierarchyDrawn) {
+            if (auto made = fitHierarchy(device, used.hierarchy, size); !made) return tl::unexpected(made.error());
+            withoutHierarchy.push_back(*slot);
+        }
     }
-    if (stale.empty()) return 0.0;
+    if (stale.empty() && withoutHierarchy.empty()) return 0.0;
     // The data of earlier maps is not needed any more; an empty plan frees its memory.
     if (auto reset = renderer.upload(data_, Plan{}); !reset) return passOn(reset.error(), "the shadow maps");
     const auto time = headless::submitAndWait(device, [&](VkCommandBuffer commands) -> Result<void> {
@@ -77,9 +111,18 @@ Result<double> ShadowMaps::draw(const headless::Device& device, Renderer& render
             headless::transition(commands, image, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         }
+        for (const std::size_t slot : withoutHierarchy) {
+            const headless::Image& image = slots_[slot].hierarchy;
+            const VkImageView whole = image.view();
+            auto drawn = renderer.recordShadowHierarchy(
+                commands, data_, slots_[slot].image.view(), size,
+                {image.handle(), image.levels().empty() ? std::span(&whole, 1) : std::span(image.levels())});
+            if (!drawn) return drawn;
+        }
         return {};
     });
     if (!time) return passOn(time.error(), "the shadow maps");
+    for (const std::size_t slot : withoutHierarchy) slots_[slot].hierarchyDrawn = true;
     for (const Stale& map : stale) cache_.drawn(map.light, viewed.lights[map.light], map.casters, size);
     return *time;
 }

@@ -23,14 +23,19 @@ public:
     /// Starts a frame: no map is needed yet, and each may be given to another light.
     void startFrame() { ++frame_; }
 
-    /// Draws the outdated maps of these lights, indices into viewed.lights. Returns the milliseconds from submission to
-    /// fence; 0 if no map was outdated.
+    /// Draws the outdated maps of these lights, indices into viewed.lights; with `hierarchies` also the shadow
+    /// hierarchies that Method::Raycast reads. Returns the milliseconds from submission to fence; 0 if nothing was
+    /// outdated.
     Result<double> draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
-                        std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size);
+                        std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size,
+                        bool hierarchies);
 
     /// SHADER_READ_ONLY_OPTIMAL; null if this frame does not need the light's map.
     const headless::Image* image(std::size_t light) const;
     VkImageView view(std::size_t light) const { return image(light) ? image(light)->view() : VK_NULL_HANDLE; }
+
+    /// Null if this frame does not need the light's map, or it has no hierarchy.
+    VkImageView hierarchy(std::size_t light) const;
 
     /// Maps on the device, needed or not.
     std::size_t count() const { return slots_.size(); }
@@ -39,7 +44,8 @@ public:
 
 private:
     struct Slot {
-        headless::Image image;
+        headless::Image image, hierarchy;
+        bool hierarchyDrawn = false;
         std::size_t light = 0;
         std::uint64_t frame = 0;  ///< the last one that needed it
     };

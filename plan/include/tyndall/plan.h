@@ -2,6 +2,8 @@
 #pragma once
 
 #include <tyndall/light.h>
+#include <tyndall/method.h>
+#include <tyndall/raycast_data.h>
 #include <tyndall/result.h>
 #include <tyndall/slice_data.h>
 #include <tyndall/surroundings.h>
@@ -49,6 +51,8 @@ enum class Spacing {
 };
 
 struct PlanOptions {
+    Method method = Method::Slices;
+    // Method::Slices only: slices, spacing, geometry.
     int slices = 100;  ///< per light, 1 to 65536; a multiple of 4 when routed. Adaptive: the maximum; 2 are always
                        ///< allowed
     Spacing spacing = Spacing::Even;
@@ -116,6 +120,7 @@ struct PlannedLight {
     Verdict verdict = Verdict::Drawn;
     PerTerm<TermVerdict> verdicts;  ///< why each term is in `terms`, or not
     TermSet terms;                  ///< of its part with the most terms
+    Method method = Method::Slices;
     double brightest = 0.0;  ///< bound of the radiance that a pixel gets from it, in its strongest channel; infinite
                              ///< where unknown
     int slices = 0;          ///< number of slices that are drawn
@@ -133,9 +138,10 @@ struct PlannedLight {
 
 /// One draw: some of a light's indices with the technique of some terms, techniqueName(terms).
 struct PlannedPart {
+    Method method = Method::Slices;
     std::uint32_t light = 0;      ///< into Plan::lights
     std::uint32_t group = 0;      ///< into Plan::groups
-    std::uint32_t constants = 0;  ///< into Plan::constants
+    std::uint32_t constants = 0;  ///< into Plan::constants, or Plan::raycasts
     TermSet terms;
     std::uint32_t firstIndex = 0, indexCount = 0;  ///< into Plan::indices
     int slices = 0;
@@ -157,6 +163,7 @@ struct Plan {
     std::vector<SliceVertex> vertices;
     std::vector<std::uint32_t> indices;     ///< triangle list into `vertices`
     std::vector<SliceConstants> constants;  ///< the uniform blocks, which parts of a light may share
+    std::vector<RaycastConstants> raycasts;  ///< those of lights with Method::Raycast
     std::vector<glm::dvec4> walls;          ///< view space, keep dot(n, p) + d >= 0: the lamp's light ends there
     std::vector<PlannedLight> lights;       ///< one for each light given, in their order
     std::vector<PlannedPart> parts;         ///< by group, and within it by technique, which minimizes pipeline changes

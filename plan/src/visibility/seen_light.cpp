@@ -18,7 +18,7 @@ double snapping(const View& view, const PlanOptions& options, double maxDepth) {
 }  // namespace
 
 SeenLight seenLight(const PlanContext& context, const Light& light, const LightSurvey& survey,
-                    const PerTerm<TermVerdict>& asked, WallScratch& scratch) {
+                    const PerTerm<TermVerdict>& asked, ConvexPolyhedron& lit, WallScratch& scratch) {
     const auto& [view, options, surroundings, sides] = context;
     const bool whole = options.everything;
     SeenLight seen;
@@ -33,7 +33,6 @@ SeenLight seenLight(const PlanContext& context, const Light& light, const LightS
     InlineVector<glm::dvec4, 8> beam;
     if (light.cookie && survey.cookie && asked[Term::Cookie] != TermVerdict::Overruled)
         beam = beamSides(light, seen.pose, *survey.cookie);
-    ConvexPolyhedron lit;
     seen.volume = lightVolume(light, view, seen.pose, seen.walls, beam, lit);
     LightVolume& volume = seen.volume;
     seen.verdict = volume.hidden;

@@ -3,6 +3,7 @@
 
 #include <tyndall/plan.h>
 
+#include "geometry/convex_polyhedron.h"
 #include "geometry/inline_vector.h"
 #include "plan_context.h"
 #include "visibility/light_volume.h"
@@ -26,8 +27,9 @@ struct SeenLight {
 };
 
 /// `asked`: which terms the light or the options ask for. Walls end the volume only if shadows are drawn; a cookie's
-/// beam bounds it only if the cookie is drawn. `scratch`: working memory.
+/// beam bounds it only if the cookie is drawn. `lit` becomes the lit part of the volume that the view's frustum shows, if
+/// the verdict is Drawn. `scratch`: working memory.
 SeenLight seenLight(const PlanContext& context, const Light& light, const LightSurvey& survey,
-                    const PerTerm<TermVerdict>& asked, WallScratch& scratch);
+                    const PerTerm<TermVerdict>& asked, ConvexPolyhedron& lit, WallScratch& scratch);
 
 }  // namespace tyndall

@@ -25,9 +25,11 @@ struct DeviceContext {
 
     /// Other builds of the Renderer's effects, with frozen modules, for instance loaded from a manifest. Null: the
     /// built-in ones. They must outlive the Renderer.
-    const permgen::Effect* slices = nullptr;     ///< of slices.fx
-    const permgen::Effect* composite = nullptr;  ///< of composite.fx
-    const permgen::Effect* shadowMap = nullptr;  ///< of shadow_map.fx
+    const permgen::Effect* slices = nullptr;           ///< of slices.fx
+    const permgen::Effect* raycast = nullptr;          ///< of raycast.fx
+    const permgen::Effect* composite = nullptr;        ///< of composite.fx
+    const permgen::Effect* shadowMap = nullptr;        ///< of shadow_map.fx
+    const permgen::Effect* shadowHierarchy = nullptr;  ///< of shadow_hierarchy.fx
 };
 
 }  // namespace tyndall

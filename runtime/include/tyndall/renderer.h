@@ -19,6 +19,9 @@ namespace tyndall {
 
 VkFormat accumulationFormat(Accumulation accumulation);
 
+/// Red holds the smallest and green the largest stored depth of a block of the shadow map.
+inline constexpr VkFormat shadowHierarchyFormat = VK_FORMAT_R32G32_SFLOAT;
+
 /// The textures of one light, in layout SHADER_READ_ONLY_OPTIMAL. Views that its technique does not read may be null;
 /// they are not bound. A neutral texture replaces a null view that it does read: white for cookie and noise, an empty
 /// shadow map.
@@ -26,6 +29,10 @@ struct LightTextures {
     VkImageView cookie = VK_NULL_HANDLE;     ///< linear colour
     VkImageView noise = VK_NULL_HANDLE;      ///< red and green hold the two maps
     VkImageView shadowMap = VK_NULL_HANDLE;  ///< depth aspect of a map drawn with lightClipFromLight()
+    // For Method::Raycast.
+    VkImageView shadowHierarchy = VK_NULL_HANDLE;  ///< all levels that recordShadowHierarchy() made of the shadow map;
+                                                   ///< required with a shadow map
+    VkExtent2D cookieSize{}, noiseSize{};          ///< texels, of the textures that are given
 };
 
 /// The images that a plan is drawn to. All have one size and one sample per pixel.
@@ -42,6 +49,13 @@ struct ShaftTargets {
     VkImageView colour = VK_NULL_HANDLE;  ///< shafts are added to it, layout COLOR_ATTACHMENT_OPTIMAL
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;
     bool blur = false;  ///< compositing blurs 3x3 and stops at depth edges
+};
+
+/// The image of a shadow hierarchy: shadowHierarchyFormat, shadowHierarchySide() texels a side,
+/// shadowHierarchyLevels() mip levels (raycast_data.h), usage COLOR_ATTACHMENT | SAMPLED.
+struct ShadowHierarchy {
+    VkImage image = VK_NULL_HANDLE;
+    std::span<const VkImageView> levels;  ///< a view of each level
 };
 
 /// One occluder: indexed triangles, positions as three floats at the start of each vertex.
@@ -61,7 +75,8 @@ ShadowCaster shadowCaster(const Occluder& occluder);
 
 /// What will be recorded: everything that pipelines depend on.
 struct PipelineNeeds {
-    std::span<const TermSet> terms;  ///< of the parts to be drawn; may repeat
+    std::span<const TermSet> terms;  ///< of the parts to be drawn with `method`; may repeat
+    Method method = Method::Slices;
     Accumulation accumulation = Accumulation::Rgba16f;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED if its depth will be null
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;
@@ -74,7 +89,7 @@ struct PipelineNeeds {
 struct RendererCounters {
     std::uint64_t draws = 0, slicesDrawn = 0, descriptorsPushed = 0, pipelinesCreated = 0, bytesUploaded = 0;
     std::uint64_t neutralTexturesCreated = 0;
-    std::uint64_t shadowMapsDrawn = 0;
+    std::uint64_t shadowMapsDrawn = 0, shadowHierarchiesDrawn = 0;
     std::uint64_t pipelinesPrepared = 0;  ///< the part of pipelinesCreated that prepare() made
 };
 
@@ -128,6 +143,12 @@ public:
     Result<void> recordShadowMap(VkCommandBuffer commands, FrameData& frame, const Light& light,
                                  std::span<const Occluder> occluders, VkImageView map, VkFormat format,
                                  std::uint32_t size);
+
+    /// Records the shadow hierarchy of a map of `size` x `size` texels, a depth view in layout SHADER_READ_ONLY_OPTIMAL,
+    /// which Method::Raycast reads beside the map. Layout of the image before: any; after: SHADER_READ_ONLY_OPTIMAL.
+    /// Record it once for each map, until the map is drawn again. Barriers between the levels are recorded.
+    Result<void> recordShadowHierarchy(VkCommandBuffer commands, FrameData& frame, VkImageView map, std::uint32_t size,
+                                       const ShadowHierarchy& hierarchy);
 
     /// Records every group of the plan: clears the accumulation target, adds the slices, composites into
     /// targets.colour. `textures` has one entry for each light given to plan(). Layout of the accumulation

@@ -1,4 +1,4 @@
-// A 2D image with one mip level, one layer and one sample, with memory of its own.
+// A 2D image with one layer and one sample, with memory of its own.
 #pragma once
 
 #include <headless/device.h>
@@ -22,6 +22,7 @@ struct ImageInfo {
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkImageUsageFlags usage = 0;
     std::string_view name = {};
+    std::uint32_t levels = 1;  ///< mip levels
 };
 
 class Image {
@@ -37,6 +38,8 @@ public:
     VkImage handle() const { return image_; }
     /// A view of the whole image; null if the usage allows no view.
     VkImageView view() const { return view_; }
+    /// A view of each mip level; empty for an image with one level.
+    const std::vector<VkImageView>& levels() const { return levels_; }
     VkExtent2D extent() const { return extent_; }
     VkFormat format() const { return format_; }
     VkImageAspectFlags aspect() const { return imageAspect(format_); }
@@ -45,19 +48,20 @@ private:
     std::shared_ptr<DeviceCore> core_;
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
+    std::vector<VkImageView> levels_;
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     VkDeviceSize allocated_ = 0;
     VkExtent2D extent_{};
     VkFormat format_ = VK_FORMAT_UNDEFINED;
 };
 
-/// Fills the image with `texels` (rows top to bottom, no padding) and leaves it in `layout`. Waits.
+/// Fills the image's first level with `texels` (rows top to bottom, no padding) and leaves it in `layout`. Waits.
 /// The image's usage must have TRANSFER_DST. Errors: InvalidArgument if the number of bytes is not the
 /// image's, Vulkan.
 Result<void> upload(const Device& device, const Image& image, std::span<const std::byte> texels,
                     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 
-/// The image's texels, rows top to bottom, no padding. Expects it in `layout` and leaves it there. Waits.
+/// The texels of the image's first level, rows top to bottom, no padding. Expects it in `layout` and leaves it there. Waits.
 /// The image's usage must have TRANSFER_SRC. Errors: InvalidArgument, Vulkan.
 Result<std::vector<std::byte>> readback(const Device& device, const Image& image, VkImageLayout layout);
 

@@ -1,0 +1,29 @@
+// The ways to a light's shafts. All of them give the same integral; they differ in cost and in what is left of error.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace tyndall {
+
+enum class Method : std::uint8_t {
+    Slices,   ///< the published one (slices.fx): planes across the view, each weighted with its slab
+    Raycast,  ///< one ray for each pixel over the texels of cookie, noise and shadow map (raycast.fx): exact to the
+              ///< texel, at a cost that grows with the texels that a ray crosses
+};
+
+inline constexpr std::array allMethods{Method::Slices, Method::Raycast};
+
+/// "slices": as options and sentences name it.
+constexpr std::string_view nameOf(Method method) {
+    switch (method) {
+        case Method::Slices:
+            return "slices";
+        case Method::Raycast:
+            return "raycast";
+    }
+    return {};
+}
+
+}  // namespace tyndall

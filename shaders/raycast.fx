@@ -1,0 +1,464 @@
+// Volumetric light shafts, one ray for each pixel: the integral that slices.fx sums up, exact to the texel.
+//
+//   L = density / (4 pi) * integral over the ray of
+//       noise * cookie * shadow * phase * transmittance * (I / d^2 + ambient) dt
+//
+// Light space has the lamp at the origin, looks along -Z with +Y up. Let w be the distance along the axis. A point's
+// *slope* is (x / w, y / w): where it lies on a slide one metre before the lamp. A view ray between the depths a and b
+// draws a straight line on that slide. With lambda from 0 to 1 along that line,
+//
+//   slope = slope_a + lambda * (slope_b - slope_a),   1 / w = 1 / w_a + lambda * (1 / w_b - 1 / w_a)
+//   dt / d^2 = K dlambda / (1 + |slope|^2),   dt = K dlambda * w^2,   K = (t_b - t_a) / (w_a * w_b)
+//
+// So texels of cookie, noise and shadow map begin and end at values of lambda that are linear in the ray's constants,
+// and the integrand has no peak: the inverse square law is in K. Between two borders the integrand is smooth, and two
+// Gauss points integrate it.
+//
+// Shadow: a texel of stored depth z lights the ray up to one value of lambda. The map is compared before it is filtered,
+// so the four texels of a cell each count with their bilinear weight up to their own border. Blocks of cells that are
+// all lit or all dark are passed in one step: the shadow hierarchy (shadow_hierarchy.fx) says which. Skipping what adds
+// nothing is the stopping criterion of J. Krueger and R. Westermann, "Acceleration Techniques for GPU-based Volume
+// Rendering" (IEEE Visualization 2003).
+
+#include "integrals.fxh"
+#include "precise.fxh"
+#include "scattering.fxh"
+
+// The ray of a pixel at clip coordinates (x, y): origin = [0] + x [1] + y [2], in light space, at view depth 0.
+// w: the constant of the clip-space depth, see gSurface.
+float4 gOrigin[3];
+float4 gDirection[3];    // the same, for each metre of view depth
+float4 gPlanes[18];      // light space, keep dot(n, p) + d >= 0
+float4 gVolume;          // xy: tan(fov / 2), zw: near and far plane along the light's axis
+float4 gDepths;          // xy: view depths between which air is seen, z: how many of gPlanes are used, w: top level of
+                         // the shadow hierarchy, as cells a side
+float4 gSurface;         // stored depth * (x + y * depth) = gOrigin.w + gDirection.w * depth; z: 1 = read it
+float4 gPixel;           // xy: width and height of a pixel in clip coordinates
+float4 gTexels;          // xy: size of the cookie in texels, zw: of the noise
+float4 gCookieScale;     // xy: 0.5 / tan(fov / 2), horizontal and vertical
+float4 gAttenuation;     // x: I in candela, y: ambient in cd/m^2, z: light units per metre
+float4 gDust;            // x: factor without noise, y: gain of the noise product
+float4 gNoise1;          // xy: repeats over the field of view, zw: phase in [0, 1)
+float4 gNoise2;
+float4 gColour;          // rgb: light colour * density / (4 pi) * target scale, w: 1 = one grey value
+float4 gWeight;          // x: factor, y: 1 = metres along the ray count, 0 = metres of view depth
+float4 gShadow;          // stored depth = x + y / w; z: map size in texels, w: bias in metres
+float4 gScattering;      // x: anisotropy g, y: extinction in 1/m, z: 1 - |g|
+float4 gChannels;        // multiplies the result: a routed target's share of each channel
+
+sampler2D CookieSampler = sampler_state
+{
+    MinFilter = LINEAR; MagFilter = LINEAR; MipFilter = NONE;
+    AddressU = CLAMP; AddressV = CLAMP;
+};
+sampler2D ScrollingNoiseSampler = sampler_state
+{
+    MinFilter = LINEAR; MagFilter = LINEAR; MipFilter = NONE;
+    AddressU = WRAP; AddressV = WRAP;
+};
+sampler2D ShadowMapSampler = sampler_state  // reversed depth: 1 at the light's near plane, 0 at its far plane
+{
+    MinFilter = POINT; MagFilter = POINT; MipFilter = NONE;
+    AddressU = CLAMP; AddressV = CLAMP;
+};
+sampler2D ShadowHierarchySampler = sampler_state  // level n: minimum and maximum over blocks of 2^(n+1) cells a side
+{
+    MinFilter = POINT; MagFilter = POINT; MipFilter = POINT;
+    AddressU = CLAMP; AddressV = CLAMP;
+};
+sampler2D SceneDepthSampler = sampler_state
+{
+    MinFilter = POINT; MagFilter = POINT; MipFilter = NONE;
+    AddressU = CLAMP; AddressV = CLAMP;
+};
+
+static const float gaussNode = 0.577350269;  // 1 / sqrt(3)
+// Largest angle, seen from the lamp, of one step: two Gauss points then integrate 1 / (1 + |slope|^2) to 2e-5.
+static const float longestArc = 0.25;
+// No step is shorter than this share of the ray: textures with more texels than that are sampled.
+static const float shortestStep = 6.1e-5;
+
+// The vertices outline the light's volume in the picture.
+float4 vs_main(float3 position : POSITION0) : POSITION0
+{
+    return float4(position.xy, 0.5, 1.0);
+}
+
+// The part of a view ray in the light's volume, over lambda from 0 to 1.
+struct Ray
+{
+    float2 slope, slopeRate;
+    float  inverse, inverseRate;  // 1 / w
+    float  arcRate;               // d(angle seen from the lamp) / dlambda = arcRate / (1 + |slope|^2)
+    float  scale;                 // K, per metre of view depth
+    float  nearDepth;             // view depth at lambda 0
+    float  slant;                 // metres of ray for each metre of view depth
+    float3 toEye;                 // unit vector
+};
+
+float inverse_axis(Ray ray, float lambda)
+{
+    return ray.inverse + lambda * ray.inverseRate;
+}
+
+float2 slide(Ray ray, float lambda)
+{
+    return 0.5 + (ray.slope + lambda * ray.slopeRate) * float2(gCookieScale.x, -gCookieScale.y);
+}
+
+// Cuts the range of t where value + t * rate < 0.
+void cut(float value, float rate, inout float2 range)
+{
+    float t = -value / rate;
+    if (rate > 0.0)
+        range.x = max(range.x, t);
+    else if (rate < 0.0)
+        range.y = min(range.y, t);
+    else if (value < 0.0)
+        range.y = range.x;
+}
+
+// phase * transmittance, see scattering.fxh and slices.fx.
+float scattered(Ray ray, float2 slope, float lambda)
+{
+    float inverse = inverse_axis(ray, lambda);
+    float3 fromLamp = float3(slope, -1.0);
+    float lampDistance = length(fromLamp) / inverse;
+    float eyeDistance = ray.slant * (ray.nearDepth + ray.scale * lambda / (ray.inverse * inverse));
+    return phase(unit(fromLamp), ray.toEye, gScattering.x, gScattering.z) *
+           exp(-gScattering.y * (lampDistance + eyeDistance));
+}
+
+// noise * cookie * phase * transmittance.
+float3 mask(Ray ray, float lambda, bool noise, bool cookie, bool scattering)
+{
+    float2 uv = slide(ray, lambda);
+    float3 value = float3(1.0, 1.0, 1.0);
+    if (cookie)
+        value = tex2Dlod(CookieSampler, float4(uv, 0.0, 0.0)).rgb;
+    if (noise)
+    {
+        // One texture carries both maps; they drift over each other.
+        float noise1 = tex2Dlod(ScrollingNoiseSampler, float4(uv * gNoise1.xy + gNoise1.zw, 0.0, 0.0)).r;
+        float noise2 = tex2Dlod(ScrollingNoiseSampler, float4(uv * gNoise2.xy + gNoise2.zw, 0.0, 0.0)).g;
+        value *= gDust.y * noise1 * noise2;
+    }
+    if (scattering)
+        value *= scattered(ray, ray.slope + lambda * ray.slopeRate, lambda);
+    return value;
+}
+
+// Lambda of the next border between texels, of a texture whose coordinate in texels is `x` here and changes by `rate`
+// for each unit of lambda. A border that is nearer than the slack counts as passed: the integrand is continuous there.
+float next_border(float x, float rate, float lambda)
+{
+    float slack = max(1e-3, 2.4e-7 * abs(rate));
+    float border = rate > 0.0 ? floor(x + slack) + 1.0 : ceil(x - slack) - 1.0;
+    return rate == 0.0 ? 2.0 : lambda + (border - x) / rate;
+}
+
+// The same in both directions of a texture of `size` texels at `uv`, which changes by `rate`.
+float next_texel(float2 uv, float2 rate, float2 size, float lambda)
+{
+    float2 x = uv * size - 0.5;
+    return min(next_border(x.x, rate.x * size.x, lambda), next_border(x.y, rate.y * size.y, lambda));
+}
+
+// Where the integrand stops to be smooth, or changes more than two Gauss points can follow.
+float step_end(Ray ray, float lambda, bool noise, bool cookie, bool scattering)
+{
+    float2 uv = slide(ray, lambda);
+    float2 rate = ray.slopeRate * float2(gCookieScale.x, -gCookieScale.y);
+    float2 slope = ray.slope + lambda * ray.slopeRate;
+    float squared = 1.0 + dot(slope, slope);
+    float arc = longestArc;
+    if (scattering)
+        arc = min(arc, 0.3 * gScattering.z);  // the width of the phase function's peak
+    float end = lambda + arc * squared / max(ray.arcRate, 1e-30);
+    if (scattering && gScattering.y > 0.0)
+    {
+        // Half an optical depth, and no more than a third of the distance to the lamp: there dt / dlambda changes.
+        float inverse = inverse_axis(ray, lambda);
+        float depth = gScattering.y * ray.slant * ray.scale;
+        end = min(end, lambda + 0.25 * inverse * inverse / depth);
+        end = min(end, lambda + 0.25 * inverse / max(abs(ray.inverseRate), 1e-30));
+    }
+    if (cookie)
+        end = min(end, next_texel(uv, rate, gTexels.xy, lambda));
+    if (noise)
+    {
+        end = min(end, next_texel(uv * gNoise1.xy + gNoise1.zw, rate * gNoise1.xy, gTexels.zw, lambda));
+        end = min(end, next_texel(uv * gNoise2.xy + gNoise2.zw, rate * gNoise2.xy, gTexels.zw, lambda));
+    }
+    return max(end, lambda + shortestStep);
+}
+
+// A bilinear weight along the ray: (x + lambda y) (z + lambda w), each factor within 0 and 1.
+float weight_at(float4 window, float lambda)
+{
+    float2 sides = saturate(window.xz + lambda * window.yw);
+    return sides.x * sides.y;
+}
+
+static const float4 whole = float4(1.0, 0.0, 1.0, 0.0);
+
+// The integral of window * mask * (I / (1 + |slope|^2) + ambient * w^2) over lambda from `first` to `last`.
+float3 integral(Ray ray, float first, float last, float4 window, bool even, bool noise, bool cookie, bool scattering)
+{
+    float light = gAttenuation.x / (gAttenuation.z * gAttenuation.z);
+    float ambient = gAttenuation.y;
+    float3 sum = float3(0.0, 0.0, 0.0);
+    if (even && !noise && !cookie && !scattering)
+    {
+        float2 from = ray.slope + first * ray.slopeRate, to = ray.slope + last * ray.slopeRate;
+        float extent = last - first;
+        float value = light * extent * arc_over_side(ray.arcRate * extent, 1.0 + dot(from, to)) +
+                      ambient * extent / (inverse_axis(ray, first) * inverse_axis(ray, last));
+        return float3(value, value, value);
+    }
+    float lambda = first;
+    [loop] while (lambda < last)
+    {
+        float next = min(last, step_end(ray, lambda, noise, cookie, scattering));
+        float middle = 0.5 * (lambda + next), extent = next - lambda;
+        float2 slope = ray.slope + middle * ray.slopeRate;
+        // The inverse square law and w^2 are integrated exactly: over a long step they may change by any factor.
+        float strength = light * extent / (1.0 + dot(slope, slope)) +
+                         ambient * extent / (inverse_axis(ray, lambda) * inverse_axis(ray, next));
+        // The mask alone is all but linear between its borders: its middle will do. A window needs two Gauss points.
+        [loop] for (float side = even ? 0.0 : -1.0; side <= 1.0; side += 2.0)
+        {
+            float at = middle + side * 0.5 * gaussNode * extent;
+            float share = even ? 1.0 : 0.5 * weight_at(window, at);
+            sum += share * strength * mask(ray, at, noise, cookie, scattering);
+        }
+        lambda = next;
+    }
+    return sum;
+}
+
+// What the shadow map would have to store to block the light exactly here. Clamped as slices.fx clamps it: a map filled
+// with 1 blocks everything, an empty map (all 0) nothing.
+float depth_at(Ray ray, float lambda)
+{
+    float inverse = inverse_axis(ray, lambda);
+    return clamp(gShadow.x + gShadow.y * inverse / (1.0 - gShadow.w * inverse), 0.0, 0.99999994);
+}
+
+// The part of [first, last] that a texel of this stored depth lights.
+float2 lit_part(Ray ray, float stored, float first, float last)
+{
+    float2 part = float2(first, last);
+    if (stored <= 0.0)
+        return part;
+    if (stored > 0.99999994)
+        return float2(first, first);
+    float above = stored - gShadow.x;
+    float inverse = above / (gShadow.y + gShadow.w * above);
+    if (ray.inverseRate == 0.0)
+        return depth_at(ray, first) >= stored ? part : float2(first, first);
+    float border = clamp((inverse - ray.inverse) / ray.inverseRate, first, last);
+    return ray.inverseRate > 0.0 ? float2(border, last) : float2(first, border);
+}
+
+// Walks over the cells of the shadow map: cell (i, j) lies between the centres of the texels i, i + 1 and j, j + 1.
+// Half a texel at the map's border belongs to the outermost cells.
+float3 shadowed(Ray ray, bool noise, bool cookie, bool scattering)
+{
+    float size = gShadow.z;
+    float lastCell = max(size - 2.0, 0.0);
+    float2 scale = float2(gCookieScale.x, -gCookieScale.y) * size;
+    float2 origin = 0.5 * size - 0.5 + ray.slope * scale;
+    float2 rate = ray.slopeRate * scale;
+    float2 cell = clamp(floor(origin), 0.0, lastCell);
+    float side = gDepths.w;      // of the current block, in cells: 1, 2, 4, ...
+    float top = side;
+    float level = log2(side) - 1.0;
+    float lambda = 0.0;
+    float litFrom = -1.0;        // where the lit stretch began that ends here; below 0: it is dark here
+    bool done = false;
+    float3 sum = float3(0.0, 0.0, 0.0);
+
+    [loop] while (!done)
+    {
+        float2 block = floor(cell / side);
+        float2 edge = side * float2(rate.x > 0.0 ? block.x + 1.0 : block.x, rate.y > 0.0 ? block.y + 1.0 : block.y);
+        bool openX = rate.x > 0.0 ? edge.x <= lastCell : rate.x < 0.0 && edge.x > 0.0;
+        bool openY = rate.y > 0.0 ? edge.y <= lastCell : rate.y < 0.0 && edge.y > 0.0;
+        float exitX = openX ? (edge.x - origin.x) / rate.x : 2.0;
+        float exitY = openY ? (edge.y - origin.y) / rate.y : 2.0;
+        float next = clamp(min(exitX, exitY), lambda, 1.0);
+
+        float here = depth_at(ray, lambda), there = depth_at(ray, next);
+        float4 stored;
+        float2 bounds;
+        if (side > 1.0)
+        {
+            float2 uv = (block + 0.5) * side / top;
+            bounds = tex2Dlod(ShadowHierarchySampler, float4(uv, 0.0, level)).rg;
+            stored = bounds.xyxy;
+        }
+        else
+        {
+            float2 uv00 = (cell + 0.5) / size, uv11 = (cell + 1.5) / size;
+            stored.x = tex2Dlod(ShadowMapSampler, float4(uv00, 0.0, 0.0)).r;
+            stored.y = tex2Dlod(ShadowMapSampler, float4(uv11.x, uv00.y, 0.0, 0.0)).r;
+            stored.z = tex2Dlod(ShadowMapSampler, float4(uv00.x, uv11.y, 0.0, 0.0)).r;
+            stored.w = tex2Dlod(ShadowMapSampler, float4(uv11, 0.0, 0.0)).r;
+            bounds = float2(min(min(stored.x, stored.y), min(stored.z, stored.w)),
+                            max(max(stored.x, stored.y), max(stored.z, stored.w)));
+        }
+        bool lit = min(here, there) >= bounds.y;
+        bool dark = max(here, there) < bounds.x;
+        if (!lit && !dark && side > 1.0)
+        {
+            side *= 0.5;
+            level -= 1.0;
+        }
+        else
+        {
+            done = next >= 1.0;
+            if (lit && litFrom < 0.0)
+                litFrom = lambda;
+            if (!lit || done)
+            {
+                // Segment 0: the lit stretch before this cell, or up to the ray's end. 1 to 4: the cell's texels.
+                int first = litFrom < 0.0 ? 1 : 0;
+                int last = lit || dark ? 0 : 4;
+                [loop] for (int k = first; k <= last; ++k)
+                {
+                    float2 part = float2(litFrom, lit ? next : lambda);
+                    float4 window = whole;
+                    if (k > 0)
+                    {
+                        bool right = k == 2 || k == 4, below = k > 2;
+                        part = lit_part(ray, k == 1 ? stored.x : k == 2 ? stored.y : k == 3 ? stored.z : stored.w,
+                                        lambda, next);
+                        float2 from = origin - cell;
+                        window = float4(right ? from.x : 1.0 - from.x, right ? rate.x : -rate.x,
+                                        below ? from.y : 1.0 - from.y, below ? rate.y : -rate.y);
+                    }
+                    sum += integral(ray, part.x, part.y, window, k == 0, noise, cookie, scattering);
+                }
+                litFrom = -1.0;
+            }
+
+            // To the next block, and up one level where blocks of both levels end here.
+            float2 at = clamp(floor(origin + next * rate), block * side, block * side + (side - 1.0));
+            bool x = exitX <= exitY;
+            cell = float2(x ? (rate.x > 0.0 ? edge.x : edge.x - 1.0) : at.x,
+                          x ? at.y : (rate.y > 0.0 ? edge.y : edge.y - 1.0));
+            cell = clamp(cell, 0.0, lastCell);
+            lambda = next;
+            float crossed = (x ? edge.x : edge.y) / (2.0 * side);
+            if (side < top && floor(crossed) == crossed)
+            {
+                side *= 2.0;
+                level += 1.0;
+            }
+        }
+    }
+    return sum;
+}
+
+// The view depth of the scene's surface at clip coordinates `clip`.
+float surface_depth(float2 clip, float origin, float direction)
+{
+    float stored = tex2Dlod(SceneDepthSampler, float4(0.5 * clip + 0.5, 0.0, 0.0)).r;
+    float rate = gSurface.y * stored - direction;
+    float depth = (origin - gSurface.x * stored) / rate;
+    // At infinity, or behind: nothing ends the ray.
+    return depth > 0.0 ? depth : 1e30;
+}
+
+float4 ps_main(float2 pixel : VPOS,
+               uniform bool bScrollingNoise,
+               uniform bool bShadowMapping,
+               uniform bool bCookie,
+               uniform bool bScattering) : COLOR0
+{
+    // From the pixel's number: an interpolator would be off by a thousandth of a pixel in a narrow polygon.
+    float2 clip = (pixel + 0.5) * gPixel.xy - 1.0;
+    float4 origin = gOrigin[0] + clip.x * gOrigin[1] + clip.y * gOrigin[2];
+    float4 direction = gDirection[0] + clip.x * gDirection[1] + clip.y * gDirection[2];
+
+    // The point of the ray that is nearest to the lamp: depths count from there, so that nothing cancels beside the
+    // lamp, however far the eye is.
+    float3 moment = precise_cross(origin.xyz, direction.xyz);
+    float squared = dot(direction.xyz, direction.xyz);
+    float3 foot = cross(direction.xyz, moment) / squared;
+    float footDepth = -dot(origin.xyz, direction.xyz) / squared;
+
+    float end = gDepths.y;
+    if (gSurface.z > 0.0)
+        end = min(end, surface_depth(clip, origin.w, direction.w));
+    float2 range = float2(gDepths.x, end) - footDepth;
+
+    float axis = -foot.z, axisRate = -direction.z;
+    cut(axis - gVolume.z, axisRate, range);
+    cut(gVolume.w - axis, -axisRate, range);
+    cut(gVolume.x * axis - foot.x, gVolume.x * axisRate - direction.x, range);
+    cut(gVolume.x * axis + foot.x, gVolume.x * axisRate + direction.x, range);
+    cut(gVolume.y * axis - foot.y, gVolume.y * axisRate - direction.y, range);
+    cut(gVolume.y * axis + foot.y, gVolume.y * axisRate + direction.y, range);
+    int planes = int(gDepths.z);
+    [loop] for (int i = 0; i < planes; ++i)
+        cut(dot(gPlanes[i].xyz, foot) + gPlanes[i].w, dot(gPlanes[i].xyz, direction.xyz), range);
+    float extent = range.y - range.x;
+    if (!(extent > 0.0))
+        return float4(0.0, 0.0, 0.0, 0.0);
+
+    // Rounding must not move an end before the near plane.
+    float first = max(axis + range.x * axisRate, 0.999999 * gVolume.z);
+    float last = max(axis + range.y * axisRate, 0.999999 * gVolume.z);
+    Ray ray;
+    ray.scale = extent / (first * last);
+    ray.slope = clamp((foot.xy + range.x * direction.xy) / first, -gVolume.xy, gVolume.xy);
+    ray.slopeRate = ray.scale * float2(-moment.y, moment.x);
+    ray.inverse = 1.0 / first;
+    ray.inverseRate = -axisRate * ray.scale;
+    float turn = difference_of_products(ray.slope.x, ray.slopeRate.y, ray.slope.y, ray.slopeRate.x);
+    ray.arcRate = sqrt(dot(ray.slopeRate, ray.slopeRate) + turn * turn);
+    ray.slant = sqrt(squared);
+    ray.nearDepth = range.x + footDepth;
+    ray.toEye = -direction.xyz / ray.slant;
+
+    float3 sum;
+    if (bShadowMapping)
+        sum = shadowed(ray, bScrollingNoise, bCookie, bScattering);
+    else
+        sum = integral(ray, 0.0, 1.0, whole, true, bScrollingNoise, bCookie, bScattering);
+    if (!bScrollingNoise)
+        sum *= gDust.x;
+
+    float length = gWeight.x * (gWeight.y > 0.0 ? ray.slant : 1.0);
+    float3 colour = gColour.rgb * sum * (ray.scale * length);
+    float grey = dot(colour, float3(0.2126, 0.7152, 0.0722));  // Rec. 709 luminance
+    return gChannels * float4(gColour.w > 0.0 ? float3(grey, grey, grey) : colour, grey);
+}
+
+// Adds to the target. The ray ends at the surface that it meets; no depth test.
+#define RAYCAST_TECHNIQUE(name, noise, shadow, cookie, scattering) \
+    technique name { pass p0 { \
+        VertexShader = compile vs_3_0 vs_main(); \
+        PixelShader = compile ps_3_0 ps_main(noise, shadow, cookie, scattering); \
+        AlphaBlendEnable = TRUE; SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
+        ZEnable = FALSE; ZWriteEnable = FALSE; CullMode = NONE; } }
+
+RAYCAST_TECHNIQUE(ray_noise_shadow_cookie_technique, true, true, true, false)
+RAYCAST_TECHNIQUE(ray_noise_shadow_nocookie_technique, true, true, false, false)
+RAYCAST_TECHNIQUE(ray_noise_noshadow_cookie_technique, true, false, true, false)
+RAYCAST_TECHNIQUE(ray_noise_noshadow_nocookie_technique, true, false, false, false)
+RAYCAST_TECHNIQUE(ray_nonoise_shadow_cookie_technique, false, true, true, false)
+RAYCAST_TECHNIQUE(ray_nonoise_shadow_nocookie_technique, false, true, false, false)
+RAYCAST_TECHNIQUE(ray_nonoise_noshadow_cookie_technique, false, false, true, false)
+RAYCAST_TECHNIQUE(ray_nonoise_noshadow_nocookie_technique, false, false, false, false)
+
+RAYCAST_TECHNIQUE(ray_noise_shadow_cookie_scattering_technique, true, true, true, true)
+RAYCAST_TECHNIQUE(ray_noise_shadow_nocookie_scattering_technique, true, true, false, true)
+RAYCAST_TECHNIQUE(ray_noise_noshadow_cookie_scattering_technique, true, false, true, true)
+RAYCAST_TECHNIQUE(ray_noise_noshadow_nocookie_scattering_technique, true, false, false, true)
+RAYCAST_TECHNIQUE(ray_nonoise_shadow_cookie_scattering_technique, false, true, true, true)
+RAYCAST_TECHNIQUE(ray_nonoise_shadow_nocookie_scattering_technique, false, true, false, true)
+RAYCAST_TECHNIQUE(ray_nonoise_noshadow_cookie_scattering_technique, false, false, true, true)
+RAYCAST_TECHNIQUE(ray_nonoise_noshadow_nocookie_scattering_technique, false, false, false, true)
