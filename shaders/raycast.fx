@@ -24,8 +24,8 @@
 #include "precise.fxh"
 #include "scattering.fxh"
 
-// The ray of a pixel at clip coordinates (x, y): origin = [0] + x [1] + y [2], in light space, at view depth 0.
-// w: the constant of the clip-space depth, see gSurface.
+// The ray of a pixel at clip coordinates (x, y): origin = [0] + x [1] + y [2], in light space, at the lamp's own view
+// depth gPixel.z: from a far eye floats would lose the air about the lamp. w: of the clip-space depth, see gSurface.
 float4 gOrigin[3];
 float4 gDirection[3];    // the same, for each metre of view depth
 float4 gPlanes[18];      // light space, keep dot(n, p) + d >= 0
@@ -33,7 +33,7 @@ float4 gVolume;          // xy: tan(fov / 2), zw: near and far plane along the l
 float4 gDepths;          // xy: view depths between which air is seen, z: how many of gPlanes are used, w: top level of
                          // the shadow hierarchy, as cells a side
 float4 gSurface;         // stored depth * (x + y * depth) = gOrigin.w + gDirection.w * depth; z: 1 = read it
-float4 gPixel;           // xy: width and height of a pixel in clip coordinates
+float4 gPixel;           // xy: width and height of a pixel in clip coordinates, z: view depth of gOrigin
 float4 gTexels;          // xy: size of the cookie in texels, zw: of the noise
 float4 gCookieScale;     // xy: 0.5 / tan(fov / 2), horizontal and vertical
 float4 gAttenuation;     // x: I in candela, y: ambient in cd/m^2, z: light units per metre
@@ -135,7 +135,11 @@ float3 mask(Ray ray, float lambda, bool noise, bool cookie, bool scattering)
     float2 uv = slide(ray, lambda);
     float3 value = float3(1.0, 1.0, 1.0);
     if (cookie)
+    {
         value = tex2Dlod(CookieSampler, float4(uv, 0.0, 0.0)).rgb;
+        if (dot(value, value) == 0.0)
+            return value;
+    }
     if (noise)
     {
         // One texture carries both maps; they drift over each other.
@@ -175,13 +179,15 @@ float step_end(Ray ray, float lambda, bool noise, bool cookie, bool scattering)
     if (scattering)
         arc = min(arc, 0.3 * gScattering.z);  // the width of the phase function's peak
     float end = lambda + arc * squared / max(ray.arcRate, 1e-30);
-    if (scattering && gScattering.y > 0.0)
+    bool extinction = scattering && gScattering.y > 0.0;
+    if (gAttenuation.y > 0.0 || extinction)
     {
-        // Half an optical depth, and no more than a third of the distance to the lamp: there dt / dlambda changes.
+        // A third of the distance to the lamp: there dt / dlambda, which is w^2, changes.
         float inverse = inverse_axis(ray, lambda);
-        float depth = gScattering.y * ray.slant * ray.scale;
-        end = min(end, lambda + 0.25 * inverse * inverse / depth);
-        end = min(end, lambda + 0.25 * inverse / max(abs(ray.inverseRate), 1e-30));
+        end = min(end, lambda + 0.3 * inverse / max(abs(ray.inverseRate), 1e-30));
+        // A quarter of an optical depth.
+        if (extinction)
+            end = min(end, lambda + 0.25 * inverse * inverse / (gScattering.y * ray.slant * ray.scale));
     }
     if (cookie)
         end = min(end, next_texel(uv, rate, gTexels.xy, lambda));
@@ -221,17 +227,19 @@ float3 integral(Ray ray, float first, float last, float4 window, bool even, bool
     {
         float next = min(last, step_end(ray, lambda, noise, cookie, scattering));
         float middle = 0.5 * (lambda + next), extent = next - lambda;
-        float2 slope = ray.slope + middle * ray.slopeRate;
-        // The inverse square law and w^2 are integrated exactly: over a long step they may change by any factor.
-        float strength = light * extent / (1.0 + dot(slope, slope)) +
-                         ambient * extent / (inverse_axis(ray, lambda) * inverse_axis(ray, next));
-        // The mask alone is all but linear between its borders: its middle will do. A window needs two Gauss points.
-        [loop] for (float side = even ? 0.0 : -1.0; side <= 1.0; side += 2.0)
+        float2 at = middle + 0.5 * gaussNode * extent * float2(-1.0, 1.0);
+        float2 slope1 = ray.slope + at.x * ray.slopeRate, slope2 = ray.slope + at.y * ray.slopeRate;
+        float2 strength = light / float2(1.0 + dot(slope1, slope1), 1.0 + dot(slope2, slope2));
+        if (ambient > 0.0)
         {
-            float at = middle + side * 0.5 * gaussNode * extent;
-            float share = even ? 1.0 : 0.5 * weight_at(window, at);
-            sum += share * strength * mask(ray, at, noise, cookie, scattering);
+            // w^2 may change by any factor: its integral over the step is exact, divided as the two points have it.
+            float2 inverse = float2(inverse_axis(ray, at.x), inverse_axis(ray, at.y));
+            float2 square = 1.0 / (inverse * inverse);
+            float mean = 1.0 / (inverse_axis(ray, lambda) * inverse_axis(ray, next));
+            strength += ambient * mean * square / (0.5 * (square.x + square.y));
         }
+        sum += 0.5 * extent * (strength.x * weight_at(window, at.x) * mask(ray, at.x, noise, cookie, scattering) +
+                               strength.y * weight_at(window, at.y) * mask(ray, at.y, noise, cookie, scattering));
         lambda = next;
     }
     return sum;
@@ -261,16 +269,16 @@ float2 lit_part(Ray ray, float stored, float first, float last)
     return ray.inverseRate > 0.0 ? float2(border, last) : float2(first, border);
 }
 
-// Walks over the cells of the shadow map: cell (i, j) lies between the centres of the texels i, i + 1 and j, j + 1.
-// Half a texel at the map's border belongs to the outermost cells.
+// Walks over the cells of the shadow map: cell (i, j) lies between the centres of the texels i, i + 1 and j, j + 1. Those
+// at the border, from -1 to size - 1, are cut in half by it; both of their texels are the outermost.
 float3 shadowed(Ray ray, bool noise, bool cookie, bool scattering)
 {
     float size = gShadow.z;
-    float lastCell = max(size - 2.0, 0.0);
+    float lastCell = size - 1.0;
     float2 scale = float2(gCookieScale.x, -gCookieScale.y) * size;
     float2 origin = 0.5 * size - 0.5 + ray.slope * scale;
     float2 rate = ray.slopeRate * scale;
-    float2 cell = clamp(floor(origin), 0.0, lastCell);
+    float2 cell = clamp(floor(origin), -1.0, lastCell);
     float side = gDepths.w;      // of the current block, in cells: 1, 2, 4, ...
     float top = side;
     float level = log2(side) - 1.0;
@@ -283,8 +291,8 @@ float3 shadowed(Ray ray, bool noise, bool cookie, bool scattering)
     {
         float2 block = floor(cell / side);
         float2 edge = side * float2(rate.x > 0.0 ? block.x + 1.0 : block.x, rate.y > 0.0 ? block.y + 1.0 : block.y);
-        bool openX = rate.x > 0.0 ? edge.x <= lastCell : rate.x < 0.0 && edge.x > 0.0;
-        bool openY = rate.y > 0.0 ? edge.y <= lastCell : rate.y < 0.0 && edge.y > 0.0;
+        bool openX = rate.x > 0.0 ? edge.x <= lastCell : rate.x < 0.0 && edge.x > -1.0;
+        bool openY = rate.y > 0.0 ? edge.y <= lastCell : rate.y < 0.0 && edge.y > -1.0;
         float exitX = openX ? (edge.x - origin.x) / rate.x : 2.0;
         float exitY = openY ? (edge.y - origin.y) / rate.y : 2.0;
         float next = clamp(min(exitX, exitY), lambda, 1.0);
@@ -348,7 +356,7 @@ float3 shadowed(Ray ray, bool noise, bool cookie, bool scattering)
             bool x = exitX <= exitY;
             cell = float2(x ? (rate.x > 0.0 ? edge.x : edge.x - 1.0) : at.x,
                           x ? at.y : (rate.y > 0.0 ? edge.y : edge.y - 1.0));
-            cell = clamp(cell, 0.0, lastCell);
+            cell = clamp(cell, -1.0, lastCell);
             lambda = next;
             float crossed = (x ? edge.x : edge.y) / (2.0 * side);
             if (side < top && floor(crossed) == crossed)
@@ -387,12 +395,12 @@ float4 ps_main(float2 pixel : VPOS,
     float3 moment = precise_cross(origin.xyz, direction.xyz);
     float squared = dot(direction.xyz, direction.xyz);
     float3 foot = cross(direction.xyz, moment) / squared;
-    float footDepth = -dot(origin.xyz, direction.xyz) / squared;
+    float footDepth = -dot(origin.xyz, direction.xyz) / squared;  // from gPixel.z
 
     float end = gDepths.y;
     if (gSurface.z > 0.0)
         end = min(end, surface_depth(clip, origin.w, direction.w));
-    float2 range = float2(gDepths.x, end) - footDepth;
+    float2 range = (float2(gDepths.x, end) - gPixel.z) - footDepth;
 
     float axis = -foot.z, axisRate = -direction.z;
     cut(axis - gVolume.z, axisRate, range);
@@ -420,7 +428,7 @@ float4 ps_main(float2 pixel : VPOS,
     float turn = difference_of_products(ray.slope.x, ray.slopeRate.y, ray.slope.y, ray.slopeRate.x);
     ray.arcRate = sqrt(dot(ray.slopeRate, ray.slopeRate) + turn * turn);
     ray.slant = sqrt(squared);
-    ray.nearDepth = range.x + footDepth;
+    ray.nearDepth = range.x + footDepth + gPixel.z;
     ray.toEye = -direction.xyz / ray.slant;
 
     float3 sum;

@@ -53,8 +53,8 @@ Result<RaycastConstants> withImages(const Plan& plan, const PlannedPart& part, c
                                "give its view");
     RaycastConstants constants = plan.raycasts[part.constants];
     constants.texels = glm::uvec4(cookie.width, cookie.height, noise.width, noise.height);
-    constants.pixel = {2.0f / static_cast<float>(targets.extent.width),
-                       2.0f / static_cast<float>(targets.extent.height), 0.0f, 0.0f};
+    constants.pixel.x = 2.0f / static_cast<float>(targets.extent.width);
+    constants.pixel.y = 2.0f / static_cast<float>(targets.extent.height);
     constants.surface.z = targets.depth ? 1.0f : 0.0f;
     return constants;
 }

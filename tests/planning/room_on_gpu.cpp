@@ -23,17 +23,23 @@ headless::Image shadowMap() {
     headless::ImageInfo info;
     info.extent = {Room::shadowMapSize, Room::shadowMapSize};
     info.format = VK_FORMAT_D32_SFLOAT;
-    info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     info.name = "shadow map";
     return must(headless::Image::create(gpu().device, info));
 }
 
 }  // namespace
 
-RoomOnGpu::RoomOnGpu(const Room& room) : views_(room.lights.size()), sum_(target("sum")), colour_(target("picture")) {
+RoomOnGpu::RoomOnGpu(const Room& room) : maps_(room.lights.size()), views_(room.lights.size()), sum_(target("sum")), colour_(target("picture")) {
     for (std::size_t i = 0; i < room.lights.size(); ++i) {
-        if (room.lights[i].cookie) views_[i].cookie = images_.emplace_back(uploadTexture(room.slides[i])).view();
-        if (room.lights[i].noise) views_[i].noise = images_.emplace_back(uploadTexture(room.dust[i])).view();
+        const auto add = [&](const Texture& texture, VkImageView& view, VkExtent2D& size) {
+            const headless::Image& image = images_.emplace_back(uploadTexture(texture));
+            view = image.view();
+            size = image.extent();
+        };
+        if (room.lights[i].cookie) add(room.slides[i], views_[i].cookie, views_[i].cookieSize);
+        if (room.lights[i].noise) add(room.dust[i], views_[i].noise, views_[i].noiseSize);
     }
     depth_ = uploadTexture(room.depth, true, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
     drawShadowMaps(room);
@@ -63,7 +69,8 @@ void RoomOnGpu::drawShadowMaps(const Room& room) {
     must(headless::submitAndWait(gpu().device, [&](VkCommandBuffer commands) -> Result<void> {
         for (std::size_t i = 0; i < room.lights.size(); ++i) {
             if (!room.lights[i].shadow) continue;
-            const headless::Image& map = images_.emplace_back(shadowMap());
+            maps_[i] = images_.size();
+            const headless::Image& map = images_.emplace_back(tyndall::test::shadowMap());
             views_[i].shadowMap = map.view();
             headless::transition(commands, map, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
             if (auto recorded = gpu().frozen.recordShadowMap(commands, frame, room.lights[i], occluders, map.view(),
@@ -75,6 +82,23 @@ void RoomOnGpu::drawShadowMaps(const Room& room) {
         }
         return {};
     }));
+    must(headless::submitAndWait(gpu().device, [&](VkCommandBuffer commands) -> Result<void> {
+        for (std::size_t i = 0; i < room.lights.size(); ++i) {
+            if (!room.lights[i].shadow) continue;
+            const headless::Image& hierarchy = images_.emplace_back(shadowHierarchyImage(Room::shadowMapSize));
+            views_[i].shadowHierarchy = hierarchy.view();
+            if (auto recorded =
+                    gpu().frozen.recordShadowHierarchy(commands, frame, views_[i].shadowMap, Room::shadowMapSize,
+                                                       levelsOf(hierarchy, views_[i].shadowHierarchy));
+                !recorded)
+                return recorded;
+        }
+        return {};
+    }));
+}
+
+Texture RoomOnGpu::shadowMap(std::size_t light) const {
+    return downloadDepth(images_[maps_[light]], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
 
 RoomOnGpu::Shown RoomOnGpu::draw(const Plan& plan, std::span<const LightTextures> textures, Renderer& renderer) const {

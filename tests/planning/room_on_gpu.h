@@ -22,11 +22,14 @@ public:
     Shown draw(const Plan& plan, std::span<const LightTextures> textures = {}, Renderer& renderer = gpu().frozen) const;
 
     std::span<const LightTextures> textures() const { return views_; }
+    /// The light's shadow map, as stored. It must have one.
+    Texture shadowMap(std::size_t light) const;
 
 private:
     void drawShadowMaps(const Room& room);
 
     std::vector<headless::Image> images_;
+    std::vector<std::size_t> maps_;  ///< by light: its shadow map among the images
     std::vector<LightTextures> views_;
     headless::Image depth_, sum_, colour_;
 };

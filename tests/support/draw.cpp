@@ -58,23 +58,29 @@ void fillBackground(VkCommandBuffer commands, const headless::Image& picture) {
 
 // Images that stay alive until the picture is read.
 struct Textures {
-    headless::Image cookie, noise, shadowMap;
+    headless::Image cookie, noise, shadowMap, hierarchy;
     LightTextures views;
 };
 
-Textures texturesOf(const Shot& shot) {
+Textures texturesOf(const Shot& shot, Method method) {
     Textures textures;
     if (shot.light.cookie) {
         textures.cookie = uploadTexture(shot.cookieMap);
         textures.views.cookie = textures.cookie.view();
+        textures.views.cookieSize = textures.cookie.extent();
     }
     if (shot.light.noise) {
         textures.noise = uploadTexture(shot.noiseMap);
         textures.views.noise = textures.noise.view();
+        textures.views.noiseSize = textures.noise.extent();
     }
     if (shot.light.shadow) {
         textures.shadowMap = uploadTexture(shot.shadowMap, true);
         textures.views.shadowMap = textures.shadowMap.view();
+        if (method == Method::Raycast) {
+            textures.hierarchy = shadowHierarchyImage(textures.shadowMap.extent().width);
+            textures.views.shadowHierarchy = textures.hierarchy.view();
+        }
     }
     return textures;
 }
@@ -98,9 +104,24 @@ RendererCounters difference(const RendererCounters& after, const RendererCounter
     delta.pipelinesCreated = after.pipelinesCreated - before.pipelinesCreated;
     delta.bytesUploaded = after.bytesUploaded - before.bytesUploaded;
     delta.neutralTexturesCreated = after.neutralTexturesCreated - before.neutralTexturesCreated;
+    delta.shadowHierarchiesDrawn = after.shadowHierarchiesDrawn - before.shadowHierarchiesDrawn;
     delta.shadowMapsDrawn = after.shadowMapsDrawn - before.shadowMapsDrawn;
     delta.pipelinesPrepared = after.pipelinesPrepared - before.pipelinesPrepared;
     return delta;
+}
+
+headless::Image shadowHierarchyImage(std::uint32_t mapSize) {
+    headless::ImageInfo info;
+    info.extent = {shadowHierarchySide(mapSize), shadowHierarchySide(mapSize)};
+    info.format = shadowHierarchyFormat;
+    info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    info.name = "shadow hierarchy";
+    info.levels = shadowHierarchyLevels(mapSize);
+    return must(headless::Image::create(gpu().device, info));
+}
+
+ShadowHierarchy levelsOf(const headless::Image& image, const VkImageView& whole) {
+    return {image.handle(), image.levels().empty() ? std::span(&whole, 1) : std::span(image.levels())};
 }
 
 View viewOf(const Shot& shot) {
@@ -116,6 +137,7 @@ View viewOf(const Shot& shot) {
 
 PlanOptions planOptionsOf(const Shot& shot, const DrawOptions& options) {
     PlanOptions plan;
+    plan.method = options.method;
     plan.slices = shot.slices;
     plan.geometry = options.geometry;
     plan.accumulation = options.accumulation;
@@ -141,7 +163,7 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
                              ? g.rendererFor(*options.drawnWith, options.shaders)
                              : (options.shaders == Shaders::Frozen ? g.frozen : g.specialized);
 
-    const Textures textures = texturesOf(shot);
+    const Textures textures = texturesOf(shot, options.method);
     const Texture depthTexels =
         shot.sceneDepth.texels.empty() ? constantTexture(shot.width, shot.height, {0.0f}) : shot.sceneDepth;
     const headless::Image depth = uploadTexture(depthTexels, true, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
@@ -171,7 +193,12 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
         fillBackground(commands, colour);
         if (empty) return {};
         const std::span views(&textures.views, 1);
-        Result<void> done = renderer.recordAccumulation(commands, frame, drawing.plan, 0, views, targets);
+        Result<void> done;
+        if (textures.hierarchy.handle())
+            done = renderer.recordShadowHierarchy(commands, frame, textures.views.shadowMap,
+                                                  textures.shadowMap.extent().width,
+                                                  levelsOf(textures.hierarchy, textures.views.shadowHierarchy));
+        if (done) done = renderer.recordAccumulation(commands, frame, drawing.plan, 0, views, targets);
         if (done && options.composite) done = renderer.recordComposite(commands, frame, drawing.plan, 0, targets);
         return done;
     }));

@@ -15,6 +15,7 @@
 namespace tyndall::test {
 
 struct DrawOptions {
+    Method method = Method::Slices;
     Geometry geometry = Geometry::ExactPolygons;
     Accumulation accumulation = Accumulation::Rgba32f;
     double range = 1.0;                         ///< PlanOptions::range
@@ -40,6 +41,12 @@ RendererCounters difference(const RendererCounters& after, const RendererCounter
 
 View viewOf(const Shot& shot);
 PlanOptions planOptionsOf(const Shot& shot, const DrawOptions& options);
+
+/// An image for the shadow hierarchy of a map with that many texels a side.
+headless::Image shadowHierarchyImage(std::uint32_t mapSize);
+
+/// Its levels, for recordShadowHierarchy(). `image` and `whole`, which becomes its view, must outlive the result.
+ShadowHierarchy levelsOf(const headless::Image& image, const VkImageView& whole);
 
 /// Plans, uploads only what the technique needs, accumulates, reads back.
 Drawing draw(const Shot& shot, const DrawOptions& options = {});

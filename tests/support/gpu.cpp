@@ -21,8 +21,10 @@ public:
 DeviceContext contextOf(const headless::Device& device) {
     DeviceContext context{device.physicalDevice(), device.device(), VK_NULL_HANDLE, Shaders::Frozen};
     context.slices = effectUnderTest("slices");
+    context.raycast = effectUnderTest("raycast");
     context.composite = effectUnderTest("composite");
     context.shadowMap = effectUnderTest("shadow_map");
+    context.shadowHierarchy = effectUnderTest("shadow_hierarchy");
     return context;
 }
 

@@ -29,10 +29,13 @@ RaycastConstants raycastConstants(const SliceConstants& slice, const Light& ligh
                                   const Slabs& slabs) {
     RaycastConstants constants{};
     const ViewRays rays = viewRays(view, pose);
+    const double lampDepth = std::clamp(-pose.viewFromLight[3].z, 0.0, std::min(view.farPlane, farthest));
     for (std::size_t i = 0; i < rays.origin.size(); ++i) {
-        constants.origin[i] = rays.origin[i];
+        const glm::dvec4 atLamp = rays.origin[i] + lampDepth * rays.direction[i];
+        constants.origin[i] = glm::dvec4(glm::dvec3(atLamp), rays.origin[i].w);
         constants.direction[i] = rays.direction[i];
     }
+    constants.pixel = glm::dvec4(0.0, 0.0, lampDepth, 0.0);
     std::size_t planes = 0;
     static_assert(std::size(RaycastConstants{}.planes) == maxClipPlanes + maxWalls + 8);
     const auto add = [&](const glm::dvec4& plane) { constants.planes[planes++] = plane * pose.viewFromLight; };
