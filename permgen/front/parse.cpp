@@ -4,6 +4,7 @@
 #include <array>
 
 #include "front/parse_declaration.h"
+#include "front/parse_storage.h"
 #include "front/parse_technique.h"
 
 namespace permgen {
@@ -16,13 +17,14 @@ struct Refused {
     std::string_view word;
     std::string_view reason;
 };
-constexpr std::array<Refused, 24> refused_words = {{
+constexpr std::array<Refused, 37> refused_words = {{
     {"technique10", "write a `technique` with `compile`"},
     {"technique11", "write a `technique` with `compile`"},
     {"fxgroup", "write the techniques at file scope"},
     {"VertexShader", "write the `compile` into the pass"},
     {"PixelShader", "write the `compile` into the pass"},
     {"vertexshader", "write the `compile` into the pass"},
+    {"ComputeShader", "write the `compile` into the pass"},
     {"pixelshader", "write the `compile` into the pass"},
     {"vertexfragment", "write the shader in HLSL and `compile` it"},
     {"pixelfragment", "write the shader in HLSL and `compile` it"},
@@ -38,9 +40,21 @@ constexpr std::array<Refused, 24> refused_words = {{
     {"Texture2D", "declare a `sampler2D` and read it with tex2D"},
     {"Texture3D", "declare a `sampler3D` and read it with tex3D"},
     {"TextureCube", "declare a `samplerCUBE` and read it with texCUBE"},
-    {"Buffer", "use a cbuffer"},
-    {"StructuredBuffer", "use a cbuffer"},
-    {"RWTexture2D", "effects cannot write to textures"},
+    {"Texture1DArray", "use a `sampler2D` or a `sampler3D`"},
+    {"Texture2DArray", "use a `sampler3D`"},
+    {"TextureCubeArray", "declare a `samplerCUBE` for each"},
+    {"Texture2DMS", "resolve it, declare a `sampler2D` and read it with tex2D"},
+    {"Buffer", "use a StructuredBuffer"},
+    {"RWBuffer", "use a RWStructuredBuffer"},
+    {"AppendStructuredBuffer", "use a RWStructuredBuffer and count with InterlockedAdd"},
+    {"ConsumeStructuredBuffer", "use a RWStructuredBuffer and count with InterlockedAdd"},
+    {"RWTexture1DArray", "use a RWTexture2D"},
+    {"RWTexture2DArray", "use a RWTexture3D"},
+    {"RasterizerOrderedTexture2D", "use a RWTexture2D in a compute shader"},
+    {"RasterizerOrderedBuffer", "use a RWStructuredBuffer in a compute shader"},
+    {"RasterizerOrderedStructuredBuffer", "use a RWStructuredBuffer in a compute shader"},
+    {"RasterizerOrderedByteAddressBuffer", "use a RWByteAddressBuffer in a compute shader"},
+    {"globallycoherent", "separate passes with a barrier instead"},
 }};
 
 // `texture` and `sampler` are types only in front of a name.
@@ -86,6 +100,7 @@ void parse_item(ParseCursor& cursor) {
     };
     if (declares(cursor, is_sampler_type, qualifiers)) return drop_qualifiers(), parse_samplers(cursor);
     if (declares(cursor, is_texture_type, qualifiers)) return drop_qualifiers(), parse_textures(cursor);
+    if (begins_storage(cursor, qualifiers)) return drop_qualifiers(), parse_storages(cursor);
     parse_function_or_globals(cursor);
 }
 

@@ -165,21 +165,33 @@ std::vector<LoweredAttribute> attributes(Stage stage, Direction direction, const
     return result;
 }
 
+void refuse_outputs(const Sources& sources, const Function& function, Diagnostics& diagnostics) {
+    const std::string remedy = "; write into a RW resource, such as a RWTexture2D, instead";
+    if (!is_void(function.result))
+        report_error(diagnostics, "PG035", sources.place(function.at),
+                     "compute shader '" + std::string(function.name) + "' returns a value; make it void" + remedy);
+    for (const Variable& parameter : function.parameters)
+        if (parameter.qualifiers.out)
+            report_error(diagnostics, "PG035", sources.place(parameter.at),
+                         "'" + std::string(parameter.name) + "' cannot be a compute shader's output" + remedy);
+}
+
 }  // namespace
 
 void find_interface(const ParsedEffect& effect, const Sources& sources, EntryPoint& entry, Diagnostics& diagnostics) {
     const Function& function = *entry.bound.function;
+    if (entry.stage == Stage::Compute) refuse_outputs(sources, function, diagnostics);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const Variable& parameter = function.parameters[i];
         if (is_uniform_parameter(parameter)) continue;
         if (reads(parameter))
             flatten(effect, sources, parameter, argument_name(i), entry.stage, Direction::In, entry.inputs,
                     diagnostics);
-        if (parameter.qualifiers.out)
+        if (parameter.qualifiers.out && entry.stage != Stage::Compute)
             flatten(effect, sources, parameter, argument_name(i), entry.stage, Direction::Out, entry.outputs,
                     diagnostics);
     }
-    if (!is_void(function.result)) {
+    if (!is_void(function.result) && entry.stage != Stage::Compute) {
         Variable result;
         result.type = function.result;
         result.name = function.name;
@@ -205,6 +217,7 @@ LoweredModule make_module(const ParsedEffect& effect, const Sources& sources, co
     module.stage = entry.stage;
     module.profile = entry.profile;
     module.place = sources.place(function.at);
+    module.group_size = entry.group_size;
     module.inputs = attributes(entry.stage, Direction::In, locations, entry.inputs);
     module.outputs = attributes(entry.stage, Direction::Out, locations, entry.outputs);
 
@@ -231,6 +244,9 @@ LoweredModule make_module(const ParsedEffect& effect, const Sources& sources, co
     if (has_inputs) declare_structure(text, "permgen_Inputs", entry.stage, Direction::In, locations, entry.inputs);
     if (has_outputs) declare_structure(text, "permgen_Outputs", entry.stage, Direction::Out, locations, entry.outputs);
 
+    if (entry.stage == Stage::Compute)
+        add_line(text, "[numthreads(" + std::to_string(entry.group_size[0]) + ", " +
+                           std::to_string(entry.group_size[1]) + ", " + std::to_string(entry.group_size[2]) + ")]");
     add_line(text, std::string(has_outputs ? "permgen_Outputs " : "void ") + module.entry + '(' +
                        (has_inputs ? "permgen_Inputs permgen_in" : "") + ") {");
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {

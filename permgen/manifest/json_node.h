@@ -27,6 +27,7 @@ public:
     std::vector<JsonNode> items() const;
     std::string text() const;
     std::uint32_t number() const;
+    bool truth() const;
 
     bool has(std::string_view field) const;
     bool is_null() const { return json_->is_null(); }

@@ -17,6 +17,12 @@ Result<void> checkBound(std::span<const permgen::Resource* const> bound, std::st
         return invalidArgument(std::string(name) + " binds more than " + std::to_string(maxBoundResources) +
                                " resources; use fewer");
     for (const permgen::Resource* resource : bound)
+        if (resource->kind == permgen::ResourceKind::StorageImage ||
+            resource->kind == permgen::ResourceKind::StorageBuffer)
+            return invalidArgument(
+                "the resource " + std::string(resource->name) + " of " + std::string(name) +
+                " is a storage image or buffer; the renderer binds uniform blocks and samplers only");
+    for (const permgen::Resource* resource : bound)
         if (resource->set != 0)
             return invalidArgument("the resource " + std::string(resource->name) + " of " + std::string(name) +
                                    " is in descriptor set " + std::to_string(resource->set) +

@@ -84,6 +84,9 @@ Result<Draft> draft(const Gpu& gpu, PipelineStore& store, const PipelineRequest&
     if (name.empty())
         return invalidArgument("the pass is none of the effect " + std::string(request.effect->name) +
                                "; give a pass of that effect");
+    if (pass.compute.module)
+        return invalidArgument(name +
+                               ": the pass computes, and the renderer only draws; give a pass with a vertex shader");
     if (!pass.vertex.module) return invalidArgument(name + ": the pass has no vertex shader; give it one");
     auto attributes = vertexAttributes(gpu, *pass.vertex.module, request.elements);
     if (!attributes) return within(name, attributes.error());
