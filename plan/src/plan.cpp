@@ -27,9 +27,10 @@ Result<void> checkSlices(std::span<const Candidate> candidates) {
     std::size_t slices = 0;
     for (const Candidate& candidate : candidates) slices += static_cast<std::size_t>(candidate.slabs.count);
     if (slices <= maxSlices) return {};
-    return broken("plan options: " + std::to_string(candidates.size()) + " lights are to be drawn with " +
-                  std::to_string(slices) + " slices: they must come to at most " + std::to_string(maxSlices) +
-                  " together; lower slices, or leave out lights");
+    return at("plan options", {ErrorCode::InvalidArgument,
+                               "plan options: " + std::to_string(candidates.size()) + " lights are to be drawn with " +
+                                   std::to_string(slices) + " slices: they must come to at most " +
+                                   std::to_string(maxSlices) + " together; lower slices, or leave out lights"});
 }
 
 }  // namespace
@@ -48,11 +49,13 @@ struct Planner::Impl {
 
 Result<void> Planner::Impl::check(std::span<const Light> lights, const View& view, const PlanOptions& options,
                                   const Surroundings& surroundings) {
-    if (const Result<void> checked = checkOptions(options); !checked) return checked;
-    if (const Result<void> checked = checkView(view); !checked) return checked;
-    if (const Result<void> checked = checkSurroundings(surroundings, lights.size()); !checked) return checked;
+    if (const Result<void> checked = checkOptions(options); !checked) return at("plan options", checked.error());
+    if (const Result<void> checked = checkView(view); !checked) return at("view", checked.error());
+    if (const Result<void> checked = checkSurroundings(surroundings, lights.size()); !checked)
+        return at("surroundings", checked.error());
     for (std::size_t i = 0; i < lights.size(); ++i)
-        if (const Result<void> checked = checkLight(lights[i], i, options); !checked) return checked;
+        if (const Result<void> checked = checkLight(lights[i], i, options); !checked)
+            return at(placeOf(lights[i], i), checked.error());
     return {};
 }
 
@@ -80,12 +83,15 @@ Result<void> Planner::Impl::draw(std::span<const Light> lights, const View& view
         const SliceConstants constants =
             sliceConstants(light, view, options, candidate.seen.pose, candidate.seen.volume, candidate.slabs,
                            planned.terms, candidate.shadowBias, candidate.needed.standIns);
-        if (!isFinite(constants))
-            return broken(
-                placeOf(light, candidate.light) +
-                ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, density / "
-                "albedo, intensity, ambient, noise scale, gain and scroll * time must each stay under 3e38; lower "
-                "them");
+        if (!isFinite(constants)) {
+            const std::string place = placeOf(light, candidate.light);
+            return at(
+                place,
+                {ErrorCode::InvalidArgument,
+                 place + ": its strength, noise or time is beyond what 32-bit floats hold: colour * density / range, "
+                         "density / albedo, intensity, ambient, noise scale, gain and scroll * time must each stay "
+                         "under 3e38; lower them"});
+        }
         plan.constants.push_back(constants);
         planned.firstWall = static_cast<std::uint32_t>(plan.walls.size());
         const LightVolume& volume = candidate.seen.volume;

@@ -48,22 +48,15 @@ static_assert(keys::ps_main_key_of(TechniqueId::again) == keys::ps_main_key{fals
 static_assert(!keys::ps_main_key_of(TechniqueId::plain), "no pass of it uses ps_main");
 static_assert(keys::vs_main_key_of(TechniqueId::plain) == keys::vs_main_key{0.1f});
 
-/// The key's bits are the index of one of the sixteen keys.
-constexpr slices::ps_main_key slices_key(unsigned bits) {
-    return {(bits & 1u) != 0, (bits & 2u) != 0, (bits & 4u) != 0, (bits & 8u) != 0};
-}
-
-constexpr bool every_key_finds_its_own_technique() {
-    std::array<bool, slices::technique_count> found{};
-    for (unsigned bits = 0; bits < slices::technique_count; ++bits) {
-        const auto id = slices::find_technique(slices_key(bits));
-        if (!id || found[static_cast<std::size_t>(*id)]) return false;
-        found[static_cast<std::size_t>(*id)] = true;
-        if (slices::ps_main_key_of(*id) != slices_key(bits)) return false;
+constexpr bool every_technique_is_found_by_its_key() {
+    for (std::size_t i = 0; i < slices::technique_count; ++i) {
+        const auto id = static_cast<slices::TechniqueId>(i);
+        const auto key = slices::ps_main_key_of(id);
+        if (!key || slices::find_technique(*key) != id) return false;
     }
     return true;
 }
-static_assert(every_key_finds_its_own_technique());
+static_assert(every_technique_is_found_by_its_key());
 
 TEST(Keys, AreTheBitsThatThePassIsCompiledWith) {
     for (std::size_t t = 0; t < keys::technique_count; ++t) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "back/build_program.h"
+#include "declared_techniques.h"
 
 namespace permgen {
 namespace {
@@ -21,7 +22,7 @@ std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
-TEST(ReadEffect, SlicesHasOnePixelModuleAndItsSixteenSettings) {
+TEST(ReadEffect, SlicesHasOnePixelModuleAndAllItsSettings) {
     Diagnostics diagnostics;
     const Lowered lowered = read_effect(slices.string(), {}, diagnostics);
     ASSERT_TRUE(diagnostics.empty()) << format(diagnostics[0]);
@@ -31,23 +32,20 @@ TEST(ReadEffect, SlicesHasOnePixelModuleAndItsSixteenSettings) {
     ASSERT_EQ(lowered.modules.size(), 2u);
     EXPECT_EQ(lowered.modules[0].author_entry, "vs_main");
     EXPECT_EQ(lowered.modules[1].author_entry, "ps_main");
-    ASSERT_EQ(lowered.techniques.size(), 16u);
-    for (unsigned i = 0; i < 16; ++i) {
-        const bool scattering = i >= 8, noise = i % 8 < 4, shadow = i % 4 < 2, cookie = i % 2 == 0;
-        const std::string name = std::string("clip_") + (noise ? "noise_" : "nonoise_") +
-                                 (shadow ? "shadow_" : "noshadow_") + (cookie ? "cookie" : "nocookie") +
-                                 (scattering ? "_scattering" : "") + "_technique";
+    const std::vector<DeclaredTechnique> declared = declared_techniques(slices.string());
+    ASSERT_GE(declared.size(), 16u);
+    ASSERT_EQ(lowered.techniques.size(), declared.size());
+    for (std::size_t i = 0; i < declared.size(); ++i) {
+        const auto& [name, switches] = declared[i];
         EXPECT_EQ(lowered.techniques[i].name, name);
         const LoweredPass& pass = lowered.techniques[i].passes.at(0);
         EXPECT_EQ(pass.vertex.module, 0);
         EXPECT_EQ(pass.pixel.module, 1);
-        ASSERT_EQ(pass.pixel.constants.size(), 4u);
-        const std::pair<const char*, bool> expected[] = {
-            {"bScrollingNoise", noise}, {"bShadowMapping", shadow}, {"bCookie", cookie}, {"bScattering", scattering}};
-        for (std::uint32_t c = 0; c < 4; ++c) {
-            EXPECT_EQ(pass.pixel.constants[c].name, expected[c].first);
+        ASSERT_EQ(pass.pixel.constants.size(), switches.size());
+        for (std::uint32_t c = 0; c < switches.size(); ++c) {
+            EXPECT_EQ(pass.pixel.constants[c].name, switches[c].first);
             EXPECT_EQ(pass.pixel.constants[c].id, c);
-            EXPECT_EQ(pass.pixel.constants[c].bits, expected[c].second ? 1u : 0u) << name;
+            EXPECT_EQ(pass.pixel.constants[c].bits, switches[c].second ? 1u : 0u) << name;
         }
         ASSERT_EQ(pass.states.size(), 7u);
         EXPECT_EQ(pass.states[1].id, StateId::SrcBlend);

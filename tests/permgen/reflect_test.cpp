@@ -17,14 +17,14 @@ Reflection reflection_of(Stage stage, const std::string& hlsl) {
     return result.reflection.value_or(Reflection{});
 }
 
-constexpr const char* block =
+const std::string block =
     "[[vk::binding(3, 1)]] cbuffer Globals { float4x4 m; float3x3 n; float4 list[5]; float2 a; float b; int c; "
     "float last[3]; float2x4 r; };\n";
 
 TEST(Reflect, BlocksAreDescribedByTheirDecorations) {
     const Reflection reflection = reflection_of(
         Stage::Pixel,
-        std::string(block) +
+        block +
             "float4 entry() : SV_Target0 { return m[0] + list[4] + a.x + b + c + n[0].x + last[2] + r[1]; }\n");
     ASSERT_EQ(reflection.resources.size(), 1u);
     const ReflectedResource& globals = reflection.resources[0];

@@ -168,6 +168,7 @@ void expectRefused(void (*change)(OccluderBox&), const std::string& words) {
     const Result<OccluderSet> set = OccluderSet::fromBoxes(boxes);
     ASSERT_FALSE(set) << words;
     EXPECT_EQ(set.error().code, ErrorCode::InvalidArgument);
+    EXPECT_EQ(set.error().place, "occluder set");
     EXPECT_EQ(set.error().message.find("occluder set: box 1 has " + words), 0u) << set.error().message;
 }
 

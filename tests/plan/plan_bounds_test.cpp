@@ -34,6 +34,8 @@ void expectBroken(const BrokenCase& c) {
     EXPECT_EQ(result.error().code, ErrorCode::InvalidArgument);
     const std::string& message = result.error().message;
     EXPECT_EQ(message.rfind(c.names, 0), 0u) << "expected " << c.names << " in: " << message;
+    EXPECT_NE(result.error().place, "");
+    EXPECT_EQ(message.rfind(result.error().place + ": ", 0), 0u) << result.error().place << " in: " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos);
     EXPECT_NE(message.find("must"), std::string::npos) << "names no rule: " << message;
     EXPECT_NE(message.find("; "), std::string::npos) << "names no remedy: " << message;

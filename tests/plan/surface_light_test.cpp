@@ -18,6 +18,18 @@ SurfaceLight needsOf(const Light& light, const View& view, const Surroundings& s
     return needs.at(0);
 }
 
+Surroundings with(const OccluderSet& occluders) {
+    Surroundings known;
+    known.occluders = &occluders;
+    return known;
+}
+
+Surroundings with(const BlockerSet& blockers) {
+    Surroundings known;
+    known.blockers = &blockers;
+    return known;
+}
+
 Light shadowed() {
     Light light = projector();
     light.shadow = true;
@@ -57,7 +69,7 @@ TEST(SurfaceLight, KnowsEveryPointThatTheViewShowsAndTheLightReaches) {
             lamp + glm::dmat3(light.worldFromLight) * glm::dvec3(between(random, -1.5, 1.5), 0.0, -2.0);
         const double half = between(random, 0.05, 0.3);
         const OccluderSet occluders = cubeAt(centre, half);
-        const SurfaceLight needs = needsOf(light, view, {.occluders = &occluders});
+        const SurfaceLight needs = needsOf(light, view, with(occluders));
         unlit += !needs.lit;
         spared += needs.lit && !needs.shadow;
         for (int point = 0; point < 400; ++point) {
@@ -116,12 +128,11 @@ TEST(SurfaceLight, EndsAtTheWallsThatThePlanEndsAt) {
     const glm::dvec3 a(-9, -9, -4), b(9, -9, -4), c(9, 9, -4), d(-9, 9, -4);
     const BlockerSet blockers = BlockerSet::fromBlockers({Blocker{{{a, b, c}, {a, c, d}}}}).value();
     const Light light = shadowed();
-    const Plan made = plan(std::span(&light, 1), view, {}, {.blockers = &blockers}).value();
-    const SurfaceLight needs = needsOf(light, view, {.blockers = &blockers});
+    const Plan made = plan(std::span(&light, 1), view, {}, with(blockers)).value();
+    const SurfaceLight needs = needsOf(light, view, with(blockers));
     ASSERT_EQ(needs.walls.size(), 1u);
     EXPECT_EQ(needs.walls, made.walls);
-    EXPECT_TRUE(needsOf(projector(), view, {.blockers = &blockers}).walls.empty())
-        << "light without shadow goes through";
+    EXPECT_TRUE(needsOf(projector(), view, with(blockers)).walls.empty()) << "light without shadow goes through";
 }
 
 TEST(SurfaceLight, AnswersBadInputWithAnErrorAndNothingElse) {

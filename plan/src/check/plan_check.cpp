@@ -24,6 +24,11 @@ tl::unexpected<Error> broken(const std::string& sentence) {
     return tl::unexpected<Error>(Error{ErrorCode::InvalidArgument, sentence});
 }
 
+tl::unexpected<Error> at(std::string place, Error error) {
+    error.place = std::move(place);
+    return tl::unexpected(std::move(error));
+}
+
 Result<void> checkBounds(const CheckedObject& place, std::span<const Bound> bounds) {
     for (const Bound& bound : bounds)
         if (!(bound.value >= bound.min && bound.value <= bound.max))  // NaN is in no range

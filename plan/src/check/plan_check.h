@@ -31,6 +31,9 @@ bool isFinite(const glm::dvec3& v);
 
 tl::unexpected<Error> broken(const std::string& sentence);
 
+/// The error with Error::place.
+tl::unexpected<Error> at(std::string place, Error error);
+
 /// What a message is about. Its text is made only for a message: a thousand lights are checked in every frame.
 struct CheckedObject {
     std::string_view name;         ///< of anything but a light

@@ -70,10 +70,10 @@ Result<void> checkFlat(const Blocker& blocker, const BlockerBounds& bounds, std:
 Result<BlockerSet> BlockerSet::fromBlockers(std::vector<Blocker> blockers) {
     BlockerSet set;
     for (std::size_t i = 0; i < blockers.size(); ++i) {
-        if (const Result<void> checked = checkFinite(blockers[i], i); !checked) return tl::unexpected(checked.error());
+        if (const Result<void> checked = checkFinite(blockers[i], i); !checked) return at(place, checked.error());
         set.bounds_.push_back(boundsOf(blockers[i]));
         if (const Result<void> checked = checkFlat(blockers[i], set.bounds_[i], i); !checked)
-            return tl::unexpected(checked.error());
+            return at(place, checked.error());
     }
     set.blockers_ = std::move(blockers);
     return set;
@@ -81,8 +81,7 @@ Result<BlockerSet> BlockerSet::fromBlockers(std::vector<Blocker> blockers) {
 
 Result<BlockerSet> BlockerSet::fromMeshes(std::span<const MeshTriangles> meshes,
                                           std::span<const MeshInstance> instances) {
-    if (const Result<void> checked = checkMeshes(place, meshes, instances); !checked)
-        return tl::unexpected(checked.error());
+    if (const Result<void> checked = checkMeshes(place, meshes, instances); !checked) return at(place, checked.error());
     // Finite corners in mesh space can still be too far for doubles in world space.
     auto set = fromBlockers(findBlockers(meshes, instances));
     if (set) set->instances_.assign(instances.begin(), instances.end());
@@ -92,7 +91,7 @@ Result<BlockerSet> BlockerSet::fromMeshes(std::span<const MeshTriangles> meshes,
 Result<bool> BlockerSet::update(std::span<const MeshTriangles> meshes, std::span<const MeshInstance> instances) {
     if (std::ranges::equal(instances, instances_, sameInstance)) return false;
     Result<BlockerSet> found = fromMeshes(meshes, instances);
-    if (!found) return tl::unexpected(found.error());
+    if (!found) return at(place, found.error());
     *this = std::move(*found);
     return true;
 }

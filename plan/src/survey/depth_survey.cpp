@@ -53,7 +53,6 @@ Pixels pixelsOf(std::uint32_t tile, std::uint32_t tiles, std::uint32_t side) {
 }
 
 Result<void> check(std::span<const float> depths, std::uint32_t width, std::uint32_t height, const View& view) {
-    if (const Result<void> checked = checkView(view); !checked) return checked;
     if (width == 0 || height == 0 || depths.size() != std::size_t{width} * height)
         return broken(place + ": there are " + std::to_string(depths.size()) + " depths for " + std::to_string(width) +
                       " x " + std::to_string(height) +
@@ -70,7 +69,8 @@ Result<void> check(std::span<const float> depths, std::uint32_t width, std::uint
 
 Result<void> surveyDepth(std::span<const float> depths, std::uint32_t width, std::uint32_t height, const View& view,
                          DepthSurvey& survey) {
-    if (const Result<void> checked = check(depths, width, height, view); !checked) return checked;
+    if (const Result<void> checked = checkView(view); !checked) return at("view", checked.error());
+    if (const Result<void> checked = check(depths, width, height, view); !checked) return at(place, checked.error());
     survey.columns = std::min(maxColumns, width);
     survey.rows = std::min(maxRows, height);
     survey.tiles.clear();

@@ -61,8 +61,7 @@ void OccluderSet::bound(const Instance& instance) {
 
 Result<OccluderSet> OccluderSet::fromMeshes(std::span<const MeshTriangles> meshes,
                                             std::span<const MeshInstance> instances) {
-    if (const Result<void> checked = checkMeshes(place, meshes, instances); !checked)
-        return tl::unexpected(checked.error());
+    if (const Result<void> checked = checkMeshes(place, meshes, instances); !checked) return at(place, checked.error());
     OccluderSet set;
     std::vector<std::size_t> firstBoxes{0};  // by mesh, and behind the last
     for (const MeshTriangles& mesh : meshes) {
@@ -82,7 +81,7 @@ Result<OccluderSet> OccluderSet::fromMeshes(std::span<const MeshTriangles> meshe
 
 Result<OccluderSet> OccluderSet::fromBoxes(std::span<const OccluderBox> boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (const Result<void> checked = checkBox(boxes[i], i); !checked) return tl::unexpected(checked.error());
+        if (const Result<void> checked = checkBox(boxes[i], i); !checked) return at(place, checked.error());
     OccluderSet set;
     for (const OccluderBox& box : boxes) {
         set.boxes_.push_back({box.minimum, box.maximum, set.triangles_.size(), box.triangles.size()});
