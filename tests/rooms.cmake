@@ -52,8 +52,9 @@ tyndall_room(runtime PROGRAMS tyndall_record_test tyndall_record_calls_test VULK
 tyndall_room(planning PROGRAMS tyndall_planning_test VULKAN COST "RapidCheck" 16)
 tyndall_room(study PROGRAMS tyndall_study_tests)
 tyndall_room(apps PROGRAMS tyndall_app_tests
-             VULKAN "AccuracyTest" "InMotion" "^Images" "^Once" "PipelineCache" "PlannedEqualsForced"
-                    "Accumulations" "Formats" "Layers" "Render" "Slide" "^Command[.]"
+             VULKAN "AccuracyTest" "InMotion" "Images[.]" "^Once" "PipelineCache" "PlannedEqualsForced"
+                    "Accumulations" "AutomaticRange" "Formats" "Layers" "Modes[.].*hardware" "Render"
+                    "ScatteringPicture" "Slide" "^Command[.]"
              COST "InMotion" 60 "DamagedAnywhere" 17 "PlannedEqualsForced" 6)
 tyndall_room(rig PROGRAMS tyndall_rig_test)
 tyndall_room(rig PROGRAMS permgen_rig_test VULKAN "^Program" "^PlantedFault")
