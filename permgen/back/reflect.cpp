@@ -259,29 +259,12 @@ void Reader::add_sampler(const SpirvModule::Variable& variable, std::uint32_t ty
 }
 
 ImageFormat format_of(std::uint32_t spirv_format, const std::string& resource_name) {
-    switch (spirv_format) {
-        case spv::ImageFormatR32f:
-            return ImageFormat::R32f;
-        case spv::ImageFormatRg32f:
-            return ImageFormat::Rg32f;
-        case spv::ImageFormatRgba32f:
-            return ImageFormat::Rgba32f;
-        case spv::ImageFormatR32i:
-            return ImageFormat::R32i;
-        case spv::ImageFormatRg32i:
-            return ImageFormat::Rg32i;
-        case spv::ImageFormatRgba32i:
-            return ImageFormat::Rgba32i;
-        case spv::ImageFormatR32ui:
-            return ImageFormat::R32ui;
-        case spv::ImageFormatRg32ui:
-            return ImageFormat::Rg32ui;
-        case spv::ImageFormatRgba32ui:
-            return ImageFormat::Rgba32ui;
-        default:
-            throw Unsupported("storage image '" + resource_name + "' has a format that the tables do not know");
-    }
+    if (spirv_format == spv::ImageFormatUnknown || spirv_format > static_cast<std::uint32_t>(ImageFormat::R8ui))
+        throw Unsupported("storage image '" + resource_name + "' has a format that the tables do not know");
+    return static_cast<ImageFormat>(spirv_format);  // the numbers are SPIR-V's
 }
+static_assert(static_cast<spv::ImageFormat>(ImageFormat::Rgba32f) == spv::ImageFormatRgba32f &&
+              static_cast<spv::ImageFormat>(ImageFormat::R8ui) == spv::ImageFormatR8ui);
 
 void Reader::add_image(const SpirvModule::Variable& variable, std::uint32_t type, Reflection& out) const {
     constexpr std::uint32_t sampled = 5, format = 6, storage = 2;  // operands, and Sampled of a storage image

@@ -1,5 +1,6 @@
 #include "common/names.h"
 
+#include "d3d9/image_formats.h"
 #include "d3d9/states.h"
 
 namespace permgen {
@@ -30,9 +31,7 @@ std::string_view dimension_name(ImageDimension dimension) {
 }
 
 std::string_view format_name(ImageFormat format) {
-    constexpr std::string_view names[] = {"",      "r32f",    "rg32f", "rgba32f", "r32i",
-                                          "rg32i", "rgba32i", "r32ui", "rg32ui",  "rgba32ui"};
-    return names[static_cast<int>(format)];
+    return format == ImageFormat::None ? std::string_view() : d3d9::row_of(format).name;
 }
 
 std::string_view state_name(StateId id) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "common/names.h"
+#include "d3d9/image_formats.h"
 #include "emit/emit.h"
 
 namespace permgen {
@@ -40,9 +41,7 @@ std::string_view stage_enum(Stage stage) {
 }
 
 std::string_view format_enum(ImageFormat format) {
-    constexpr std::string_view names[] = {"None",  "R32f",    "Rg32f", "Rgba32f", "R32i",
-                                          "Rg32i", "Rgba32i", "R32ui", "Rg32ui",  "Rgba32ui"};
-    return names[static_cast<int>(format)];
+    return format == ImageFormat::None ? "None" : d3d9::row_of(format).enumerator;
 }
 
 std::string_view kind_enum(ValueKind kind) {

@@ -30,12 +30,13 @@ Json pass_json(const Program& program, std::size_t t, std::size_t p) {
     for (const std::size_t index : program.passes[t][p].live) live.push_back(program.effect.resources[index].name);
     Json states = Json::object();
     for (const LoweredState& state : pass.states) states[state.name] = state.value;
-    return {{"name", pass.name},
-            {"vertex", shader_json(program, pass.vertex)},
-            {"pixel", shader_json(program, pass.pixel)},
-            {"compute", shader_json(program, pass.compute)},
-            {"live", std::move(live)},
-            {"states", std::move(states)}};
+    Json json = {{"name", pass.name},
+                 {"vertex", shader_json(program, pass.vertex)},
+                 {"pixel", shader_json(program, pass.pixel)},
+                 {"live", std::move(live)},
+                 {"states", std::move(states)}};
+    if (pass.compute.module >= 0) json["compute"] = shader_json(program, pass.compute);
+    return json;
 }
 
 /// "ps_main(false, true, true)"; "cs_main(true) [8, 8, 1]" with the thread group

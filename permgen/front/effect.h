@@ -111,10 +111,17 @@ struct TextureObject {
     Location at;
 };
 
+/// `[[vk::image_format("rgba16f")]]`
+struct ImageFormatAttribute {
+    std::string_view name;  ///< without quotes
+    Location at;            ///< of the name
+};
+
 /// A storage image or buffer, `RWTexture2D<float4> image;`
 struct StorageResource {
     std::string_view type;  ///< one of d3d9::storage_types
     TypeName element;       ///< not of a byte address buffer
+    std::optional<ImageFormatAttribute> format;
     std::string_view name;
     TokenRange range;
     Location at;

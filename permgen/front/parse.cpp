@@ -75,32 +75,56 @@ void drop_declaration(ParseCursor& cursor) {
     cursor.drop({begin, cursor.at});
 }
 
-void parse_item(ParseCursor& cursor) {
+std::size_t count_qualifiers(const ParseCursor& cursor) {
+    static constexpr std::array<std::string_view, 5> skippable = {"uniform", "extern", "shared", "static", "const"};
+    std::size_t qualifiers = 0;
+    while (std::any_of(skippable.begin(), skippable.end(),
+                       [&](std::string_view word) { return cursor.peek(qualifiers).is(word); }))
+        ++qualifiers;
+    return qualifiers;
+}
+
+void drop_next(ParseCursor& cursor, std::size_t tokens) {
+    cursor.drop({cursor.at, cursor.at + tokens});
+    cursor.at += tokens;
+}
+
+void refuse_word(ParseCursor& cursor) {
     const Token& token = cursor.peek();
-    if (token.is(";")) return cursor.drop({cursor.at, (cursor.take(), cursor.at)});
-    if (same_word(token.text, "technique")) return parse_technique(cursor);
     for (const Refused& refused : refused_words)
         if (token.is(refused.word) &&
             (cursor.peek(1).is_identifier() || cursor.peek(1).is("{") || cursor.peek(1).is("<")))
             cursor.fail("PG022", token.at,
                         "'" + std::string(token.text) + "' is not supported; " + std::string(refused.reason));
+}
+
+/// What follows `[[vk::image_format("...")]]`.
+void parse_with_format(ParseCursor& cursor, const ImageFormatAttribute& format) {
+    refuse_word(cursor);
+    const std::size_t qualifiers = count_qualifiers(cursor);
+    if (!begins_storage(cursor, qualifiers))
+        cursor.fail("PG041", format.at,
+                    "[[vk::image_format(...)]] belongs in front of a RWTexture1D, RWTexture2D or RWTexture3D; move it "
+                    "there or remove it");
+    drop_next(cursor, qualifiers);
+    parse_storages(cursor, format);
+}
+
+void parse_item(ParseCursor& cursor) {
+    const Token& token = cursor.peek();
+    if (token.is(";")) return cursor.drop({cursor.at, (cursor.take(), cursor.at)});
+    if (same_word(token.text, "technique")) return parse_technique(cursor);
+    if (const auto format = parse_image_format(cursor)) return parse_with_format(cursor, *format);
+    refuse_word(cursor);
     if (token.is("struct")) return parse_struct(cursor);
     if (token.is("typedef")) return parse_typedef(cursor);
     if (token.is("cbuffer")) return parse_constant_buffer(cursor);
     if (token.is("string") && cursor.peek(1).is_identifier()) return drop_declaration(cursor);
 
-    std::size_t qualifiers = 0;
-    static constexpr std::array<std::string_view, 5> skippable = {"uniform", "extern", "shared", "static", "const"};
-    while (std::any_of(skippable.begin(), skippable.end(),
-                       [&](std::string_view word) { return cursor.peek(qualifiers).is(word); }))
-        ++qualifiers;
-    const auto drop_qualifiers = [&] {
-        cursor.drop({cursor.at, cursor.at + qualifiers});
-        cursor.at += qualifiers;
-    };
-    if (declares(cursor, is_sampler_type, qualifiers)) return drop_qualifiers(), parse_samplers(cursor);
-    if (declares(cursor, is_texture_type, qualifiers)) return drop_qualifiers(), parse_textures(cursor);
-    if (begins_storage(cursor, qualifiers)) return drop_qualifiers(), parse_storages(cursor);
+    const std::size_t qualifiers = count_qualifiers(cursor);
+    if (declares(cursor, is_sampler_type, qualifiers)) return drop_next(cursor, qualifiers), parse_samplers(cursor);
+    if (declares(cursor, is_texture_type, qualifiers)) return drop_next(cursor, qualifiers), parse_textures(cursor);
+    if (begins_storage(cursor, qualifiers)) return drop_next(cursor, qualifiers), parse_storages(cursor, {});
     parse_function_or_globals(cursor);
 }
 

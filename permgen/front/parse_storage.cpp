@@ -4,21 +4,58 @@
 #include "front/parse_declaration.h"
 
 namespace permgen {
+namespace {
+
+constexpr std::size_t name_tokens = 5;
+
+bool begins_image_format(const ParseCursor& cursor) {
+    constexpr std::string_view words[name_tokens] = {"[", "[", "vk", "::", "image_format"};
+    for (std::size_t i = 0; i < name_tokens; ++i)
+        if (!cursor.peek(i).is(words[i])) return false;
+    return true;
+}
+
+}  // namespace
 
 bool begins_storage(const ParseCursor& cursor, std::size_t ahead) {
     const Token& next = cursor.peek(ahead + 1);
     return d3d9::find_storage_type(cursor.peek(ahead).text) && (next.is("<") || next.is_identifier());
 }
 
-void parse_storages(ParseCursor& cursor) {
+std::optional<ImageFormatAttribute> parse_image_format(ParseCursor& cursor) {
+    std::optional<ImageFormatAttribute> format;
+    while (begins_image_format(cursor)) {
+        const std::size_t begin = cursor.at;
+        cursor.at += name_tokens;
+        const Location at = cursor.peek().at;
+        if (format) cursor.fail("PG041", at, "[[vk::image_format(...)]] is given twice; remove one");
+        cursor.expect("(", "after 'image_format'");
+        const Token& name = cursor.take();
+        if (name.kind != TokenKind::String)
+            cursor.fail("PG041", name.at,
+                        "expected the format's name in quotes, not " + quoted(name) +
+                            "; write [[vk::image_format(\"rgba16f\")]]");
+        format = ImageFormatAttribute{unquoted(name), name.at};
+        for (const std::string_view bracket : {")", "]", "]"}) cursor.expect(bracket, "after the image format's name");
+        cursor.drop({begin, cursor.at});
+    }
+    return format;
+}
+
+void parse_storages(ParseCursor& cursor, const std::optional<ImageFormatAttribute>& format) {
     const std::size_t begin = cursor.at;
     StorageResource first;
+    first.format = format;
     first.type = cursor.take().text;
     const std::string type(first.type);
     if (d3d9::find_storage_type(type)->has_element) {
         cursor.expect("<", "with the element's type behind '" + type + "'");
         const Token& element = cursor.peek();
-        if (element.is("unorm") || element.is("snorm") || element.is("row_major") || element.is("column_major"))
+        if (element.is("unorm") || element.is("snorm"))
+            cursor.fail("PG041", element.at,
+                        quoted(element) + " is not supported in '" + type + "<...>'; write [[vk::image_format(\"rgba8" +
+                            (element.is("snorm") ? "snorm" : "") + "\")]] " + type + "<float4>");
+        if (element.is("row_major") || element.is("column_major"))
             cursor.fail("PG041", element.at,
                         quoted(element) + " is not supported in '" + type + "<...>'; write the plain type");
         first.element = parse_type(cursor);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/nearest.h"
+#include "d3d9/image_formats.h"
 #include "d3d9/storage_types.h"
 #include "front/parse_cursor.h"
 #include "front/report.h"
@@ -16,12 +18,23 @@ bool is_image(const StorageResource& storage) {
     return d3d9::find_storage_type(storage.type)->kind == ResourceKind::StorageImage;
 }
 
-class Checker {
+/// The format of 32 bits a component that the element gives: float2 is rg32f. None for a type without a format.
+ImageFormat element_format(const NumericType& type) {
+    if (type.is_matrix || type.scalar == ScalarType::Bool) return ImageFormat::None;
+    constexpr std::string_view letters[] = {"r", "rg", "", "rgba"};
+    const std::string_view suffix = type.scalar == ScalarType::Float ? "f" : type.scalar == ScalarType::Int ? "i" : "ui";
+    const d3d9::ImageFormatRow* row =
+        d3d9::find_image_format(std::string(letters[type.columns - 1]) + "32" + std::string(suffix));
+    return row ? row->format : ImageFormat::None;
+}
+
+class StorageChecker {
 public:
-    Checker(const ParsedEffect& effect, const Sources& sources, Diagnostics& diagnostics)
+    StorageChecker(const ParsedEffect& effect, const Sources& sources, Diagnostics& diagnostics)
         : effect_(effect), sources_(sources), diagnostics_(diagnostics) {}
 
     void declaration(const StorageResource& storage) const {
+        if (storage.format) return attribute(storage);
         if (!d3d9::find_storage_type(storage.type)->has_element) return;
         if (!is_image(storage)) return element(storage, storage.element, 0);
         if (texel_format(effect_, storage) == ImageFormat::None)
@@ -53,6 +66,30 @@ public:
     }
 
 private:
+    // [[vk::image_format("...")]] must fit the element, since the shader converts components, and no more.
+    void attribute(const StorageResource& storage) const {
+        const std::string type(storage.type);
+        if (!is_image(storage))
+            return error("PG041", storage.format->at,
+                         "a " + type + " has no image format; remove [[vk::image_format(...)]]");
+        const d3d9::ImageFormatRow* format = d3d9::find_image_format(storage.format->name);
+        if (!format) {
+            std::vector<std::string_view> names;
+            for (const d3d9::ImageFormatRow& row : d3d9::image_formats) names.push_back(row.name);
+            const std::string meant = suggestion(storage.format->name, names, "; did you mean '", "'?");
+            return error("PG041", storage.format->at,
+                         "'" + std::string(storage.format->name) + "' is not an image format" +
+                             (meant.empty() ? "; write one such as rgba16f, r32f or rgba8" : meant));
+        }
+        const auto element = numeric_type(effect_, storage.element);
+        if (!element || element->is_matrix || element->scalar != format->scalar ||
+            element->columns != format->components)
+            error("PG041", storage.element.at,
+                  "a " + type + " of " + std::string(format->name) + " cannot hold '" +
+                      text_of(effect_, storage.element.range) + "'; write " + type + "<" +
+                      spelling(format->scalar, format->components) + ">");
+    }
+
     void error(const char* code, Location at, std::string message) const {
         report_error(diagnostics_, code, sources_.place(at), std::move(message));
     }
@@ -106,6 +143,12 @@ private:
         const Token& first = effect_.tokens[target.begin];
         if (const StorageResource* storage = resource_at(call, target.begin)) {
             if (!is_writable(*storage)) read_only(*storage, first.at);
+            const ImageFormat format = texel_format(effect_, *storage);
+            if (is_image(*storage) && format != ImageFormat::R32i && format != ImageFormat::R32ui)
+                error("PG047", first.at,
+                      quoted(name) + " needs texels of r32i or r32ui; declare '" + std::string(storage->name) +
+                          "' as " + std::string(storage->type) + "<int> or " + std::string(storage->type) +
+                          "<uint>, without another image format");
             return;
         }
         const bool shared = std::any_of(effect_.globals.begin(), effect_.globals.end(), [&](const Variable& global) {
@@ -146,23 +189,17 @@ bool is_writable(const StorageResource& storage) {
 
 ImageFormat texel_format(const ParsedEffect& effect, const StorageResource& storage) {
     if (!is_image(storage)) return ImageFormat::None;
-    const auto type = numeric_type(effect, storage.element);
-    if (!type || type->is_matrix || type->scalar == ScalarType::Bool || type->columns == 3) return ImageFormat::None;
-    const bool is_float = type->scalar == ScalarType::Float;
-    const bool is_int = type->scalar == ScalarType::Int;
-    switch (type->columns) {
-        case 1:
-            return is_float ? ImageFormat::R32f : is_int ? ImageFormat::R32i : ImageFormat::R32ui;
-        case 2:
-            return is_float ? ImageFormat::Rg32f : is_int ? ImageFormat::Rg32i : ImageFormat::Rg32ui;
-        default:
-            return is_float ? ImageFormat::Rgba32f : is_int ? ImageFormat::Rgba32i : ImageFormat::Rgba32ui;
+    if (storage.format) {
+        const d3d9::ImageFormatRow* row = d3d9::find_image_format(storage.format->name);
+        return row ? row->format : ImageFormat::None;
     }
+    const auto type = numeric_type(effect, storage.element);
+    return type ? element_format(*type) : ImageFormat::None;
 }
 
 void check_storage(const ParsedEffect& effect, const Sources& sources, const std::vector<Call>& calls,
                    Diagnostics& diagnostics) {
-    const Checker checker(effect, sources, diagnostics);
+    const StorageChecker checker(effect, sources, diagnostics);
     for (const StorageResource& storage : effect.storages) checker.declaration(storage);
     for (const Function& function : effect.functions) checker.body(function);
     for (const Call& call : calls) checker.call(call);

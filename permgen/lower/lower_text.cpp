@@ -130,6 +130,13 @@ private:
         return {};
     }
 
+    // glslang has its own words for DXC's attribute.
+    static std::string format_attribute(const StorageResource& storage) {
+        if (!storage.format) return {};
+        const std::string_view name = storage.format->name;
+        return "[[spv::format_" + std::string(name == "r11g11b10f" ? "r11fg11fb10f" : name) + "]] ";
+    }
+
     void write_globals() {
         for (const std::size_t item : loose_) write_needed(item, loose_.front());
         add_line(text_, attribute(globals_name) + "cbuffer " + std::string(globals_name) + " {");
@@ -193,10 +200,10 @@ private:
             const StorageResource& storage = effect_.storages[item.index];
             const std::string element =
                 storage.element.range.empty() ? "" : '<' + hlsl_text(effect_, storage.element.range) + '>';
-            add_line(
-                text_,
-                attribute(storage.name) + std::string(storage.type) + element + ' ' + hlsl_name(storage.name) + ';',
-                sources_.place(storage.at));
+            add_line(text_,
+                     attribute(storage.name) + format_attribute(storage) + std::string(storage.type) + element + ' ' +
+                         hlsl_name(storage.name) + ';',
+                     sources_.place(storage.at));
             return;
         }
         if (item.kind == ItemKind::ConstantBuffer) {

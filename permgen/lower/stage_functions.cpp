@@ -36,9 +36,9 @@ std::string_view implicit_level(std::string_view name, std::size_t arguments) {
     return {};
 }
 
-class Checker {
+class StageChecker {
 public:
-    Checker(const ParsedEffect& effect, const Sources& sources, Stage stage, Diagnostics& diagnostics)
+    StageChecker(const ParsedEffect& effect, const Sources& sources, Stage stage, Diagnostics& diagnostics)
         : effect_(effect), sources_(sources), stage_(stage), diagnostics_(diagnostics) {}
 
     void call(const Call& call) const {
@@ -104,7 +104,7 @@ private:
 
 void check_stage_functions(const ParsedEffect& effect, const Sources& sources, const std::vector<Call>& calls,
                            const Function& entry, Stage stage, Diagnostics& diagnostics) {
-    const Checker checker(effect, sources, stage, diagnostics);
+    const StageChecker checker(effect, sources, stage, diagnostics);
     const std::vector<bool> reached = reachable_functions(effect, calls, entry);
     for (const Call& call : calls)
         if (reached[call.caller]) checker.call(call);

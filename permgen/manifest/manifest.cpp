@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "d3d9/image_formats.h"
 #include "d3d9/states.h"
 #include "fault.h"
 #include "json_node.h"
@@ -23,10 +24,12 @@ constexpr NamedValue<ResourceKind> kinds[] = {{"uniform-buffer", ResourceKind::U
                                               {"combined-image-sampler", ResourceKind::CombinedImageSampler},
                                               {"storage-image", ResourceKind::StorageImage},
                                               {"storage-buffer", ResourceKind::StorageBuffer}};
-constexpr NamedValue<ImageFormat> formats[] = {
-    {"r32f", ImageFormat::R32f},   {"rg32f", ImageFormat::Rg32f},   {"rgba32f", ImageFormat::Rgba32f},
-    {"r32i", ImageFormat::R32i},   {"rg32i", ImageFormat::Rg32i},   {"rgba32i", ImageFormat::Rgba32i},
-    {"r32ui", ImageFormat::R32ui}, {"rg32ui", ImageFormat::Rg32ui}, {"rgba32ui", ImageFormat::Rgba32ui}};
+constexpr auto formats = [] {
+    std::array<NamedValue<ImageFormat>, std::size(d3d9::image_formats)> values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = {d3d9::image_formats[i].name, d3d9::image_formats[i].format};
+    return values;
+}();
 constexpr NamedValue<ValueKind> value_kinds[] = {
     {"bool", ValueKind::Bool},       {"enum", ValueKind::Enum},
     {"integer", ValueKind::Integer}, {"float", ValueKind::Float},

@@ -7,7 +7,9 @@
 
 #include "back/build_program.h"
 #include "back/validate.h"
+#include "common/names.h"
 #include "common/spirv_module.h"
+#include "d3d9/image_formats.h"
 #include "emit/emit.h"
 #include "emit/list_effect.h"
 #include "lowered_text.h"
@@ -253,6 +255,22 @@ TEST(ComputeBack, WhatTheCompilerDropsIsAnError) {
     ASSERT_FALSE(diagnostics.empty());
     EXPECT_EQ(diagnostics[0].code, "PG050");
     EXPECT_NE(diagnostics[0].message.find("cannot translate part of this entry point"), std::string::npos);
+}
+
+// The attribute of every format reaches the SPIR-V; build_program() compares the two.
+TEST(ComputeBack, EveryImageFormatReachesTheSpirv) {
+    std::string declarations, body;
+    for (const d3d9::ImageFormatRow& row : d3d9::image_formats) {
+        const std::string name(row.name);
+        declarations += "[[vk::image_format(\"" + name + "\")]] RWTexture2D<" + type_name(row.scalar, row.components) +
+                        "> image_" + name + ";\n";
+        body += "image_" + name + "[id] = 1; ";
+    }
+    const Built built(declarations + "[numthreads(8, 8, 1)] void cs(uint2 id : SV_DispatchThreadID) { " + body +
+                      "}\ntechnique t { pass p { ComputeShader = compile cs_5_0 cs(); } }");
+    ASSERT_TRUE(built.program) << built.messages();
+    for (const ReflectedResource& resource : built.program->modules.at(0).reflection.resources)
+        EXPECT_EQ("image_" + std::string(format_name(resource.format)), resource.name);
 }
 
 TEST(ComputeBack, APixelShaderMayReadBuffers) {

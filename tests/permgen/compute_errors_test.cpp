@@ -139,7 +139,9 @@ INSTANTIATE_TEST_SUITE_P(
         ErrorCase{"Float3", "PG041", body("RWTexture2D<@float3> i;", ""), "with 1, 2 or 4 components"},
         ErrorCase{"Matrix", "PG041", body("RWTexture2D<@float2x2> i;", ""), "cannot hold 'float2x2'"},
         ErrorCase{"BoolImage", "PG041", body("RWTexture2D<@bool> i;", ""), "cannot hold 'bool'"},
-        ErrorCase{"Unorm", "PG041", body("RWTexture2D<@unorm float4> i;", ""), "write the plain type"},
+        ErrorCase{"Unorm", "PG041", body("RWTexture2D<@unorm float4> i;", ""),
+                  "; write [[vk::image_format(\"rgba8\")]] RWTexture2D<float4>"},
+        ErrorCase{"Snorm", "PG041", body("RWTexture2D<@snorm float4> i;", ""), "image_format(\"rgba8snorm\")]]"},
         ErrorCase{"RowMajor", "PG041", body("StructuredBuffer<@row_major float3x3> i;", ""), "write the plain type"},
         ErrorCase{"StructImage", "PG041", body("struct S { float a; }; RWTexture2D<@S> i;", ""), "cannot hold 'S'"},
         ErrorCase{"UnknownElement", "PG041", body("StructuredBuffer<@S> i;", ""), "cannot hold 'S'"},
@@ -167,6 +169,34 @@ INSTANTIATE_TEST_SUITE_P(
         ErrorCase{"SharedMember", "PG022", "struct S { @groupshared float x; };" + body("", ""), "at file scope; "}),
     [](const auto& error) { return std::string(error.param.name); });
 
+std::string formatted(const std::string& name, const std::string& declaration) {
+    return body("[[vk::image_format(" + name + ")]] " + declaration, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Formats, ComputeError,
+    testing::Values(
+        ErrorCase{"Misspelt", "PG041", formatted("@\"rgba15f\"", "RWTexture2D<float4> i;"), "did you mean 'rgba16f'?"},
+        ErrorCase{"Empty", "PG041", formatted("@\"\"", "RWTexture2D<float4> i;"), "; write one such as rgba16f"},
+        ErrorCase{"Unknown", "PG041", formatted("@\"unknown\"", "RWTexture2D<float4> i;"), "is not an image format"},
+        ErrorCase{"NoQuotes", "PG041", formatted("@rgba16f", "RWTexture2D<float4> i;"), "the format's name in quotes"},
+        ErrorCase{"NoName", "PG041", formatted("@", "RWTexture2D<float4> i;"), "the format's name in quotes"},
+        ErrorCase{"Components", "PG041", formatted("\"rg16f\"", "RWTexture2D<@float4> i;"),
+                  "a RWTexture2D of rg16f cannot hold 'float4'; write RWTexture2D<float2>"},
+        ErrorCase{"Scalar", "PG041", formatted("\"r16ui\"", "RWTexture3D<@int> i;"), "; write RWTexture3D<uint>"},
+        ErrorCase{"Bool", "PG041", formatted("\"r8ui\"", "RWTexture2D<@bool> i;"), "; write RWTexture2D<uint>"},
+        ErrorCase{"Float3", "PG041", formatted("\"rgba8\"", "RWTexture2D<@float3> i;"), "; write RWTexture2D<float4>"},
+        ErrorCase{"Buffer", "PG041", formatted("@\"r32f\"", "RWStructuredBuffer<float> i;"), "has no image format"},
+        ErrorCase{"Bytes", "PG041", formatted("@\"r32f\"", "ByteAddressBuffer i;"), "has no image format; remove"},
+        ErrorCase{"Variable", "PG041", formatted("@\"r32f\"", "float4 i;"), "belongs in front of a RWTexture1D"},
+        ErrorCase{"Function", "PG041", formatted("@\"r32f\"", "void f() {}"), "belongs in front of a RWTexture1D"},
+        ErrorCase{"Twice", "PG041", body("[[vk::image_format(\"r32f\")]] [[vk::@image_format(\"r32f\")]] RWTexture2D<float> i;", ""),
+                  "is given twice; remove one"},
+        ErrorCase{"RefusedType", "PG022", formatted("\"r32f\"", "@RWTexture2DArray<float> i;"), "; use a RWTexture3D"},
+        ErrorCase{"OwnBinding", "PG022", body("@[[vk::binding(3, 0)]] RWTexture2D<float4> i;", ""), "permgen gives out"},
+        ErrorCase{"Unclosed", "PG020", body("[[vk::image_format(\"r32f\")] @RWTexture2D<float> i;", ""), "expected ']'"}),
+    [](const auto& error) { return std::string(error.param.name); });
+
 INSTANTIATE_TEST_SUITE_P(
     Uses, ComputeError,
     testing::Values(
@@ -175,6 +205,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "cannot be written"},
         ErrorCase{"AtomicReadOnly", "PG047", body("StructuredBuffer<uint> b;", "InterlockedAdd(@b[0], 1u);"),
                   "as RWStructuredBuffer"},
+        ErrorCase{"AtomicOfAShortTexel", "PG047",
+                  body("[[vk::image_format(\"r16ui\")]] RWTexture2D<uint> i;", "InterlockedAdd(@i[id.xy], 1u);"),
+                  "needs texels of r32i or r32ui; declare 'i' as RWTexture2D<int> or RWTexture2D<uint>"},
         ErrorCase{"AtomicLocal", "PG047", body("", "uint n = 0; InterlockedAdd(@n, 1u);"),
                   "needs a groupshared variable"},
         ErrorCase{"AtomicShadowed", "PG047", body("groupshared uint n;", "uint n = 0; InterlockedAdd(@n, 1u);"),

@@ -108,6 +108,9 @@ TEST(ComputeFront, TheElementGivesTheFormat) {
          {FormatCase{"RWTexture1D<float>", ImageFormat::R32f, ImageDimension::One},
           FormatCase{"RWTexture2D<float2>", ImageFormat::Rg32f, ImageDimension::Two},
           FormatCase{"RWTexture3D<vector<float, 4> >", ImageFormat::Rgba32f, ImageDimension::Three},
+          FormatCase{"RWTexture2D<half4>", ImageFormat::Rgba32f, ImageDimension::Two},
+          FormatCase{"[[vk::image_format(\"rgba16f\")]] RWTexture2D<half4>", ImageFormat::Rgba16f, ImageDimension::Two},
+          FormatCase{"[[vk::image_format(\"r8\")]] uniform RWTexture1D<float>", ImageFormat::R8, ImageDimension::One},
           FormatCase{"RWTexture2D<int>", ImageFormat::R32i, ImageDimension::Two},
           FormatCase{"RWTexture2D<int2>", ImageFormat::Rg32i, ImageDimension::Two},
           FormatCase{"RWTexture2D<int4>", ImageFormat::Rgba32i, ImageDimension::Two},
@@ -176,7 +179,7 @@ TEST(ComputeFront, BrokenGroupsNeverCrash) {
 }
 
 TEST(ComputeFront, BrokenStorageNeverCrashes) {
-    const std::string good = "RWTexture2D<float4> a:register(u0),b;RWByteAddressBuffer c;groupshared uint d[4];";
+    const std::string good = "[[vk::image_format(\"rgba8\")]]RWTexture2D<float4> a:register(u0),b;RWByteAddressBuffer c;groupshared uint d[4];";
     for (std::size_t cut = 0; cut <= good.size(); ++cut) {
         LoweredEffect(good.substr(0, cut));
         LoweredEffect(good.substr(cut));

@@ -150,6 +150,7 @@ static_assert(compute::effect.modules[0]->stage == Stage::Compute);
 static_assert(compute::effect.modules[0]->attributes.empty());
 static_assert(find_resource(compute::effect, "image")->kind == ResourceKind::StorageImage);
 static_assert(find_resource(compute::effect, "image")->format == ImageFormat::Rgba32f);
+static_assert(find_resource(compute::effect, "small")->format == ImageFormat::Rgba16f);
 static_assert(find_resource(compute::effect, "cells")->kind == ResourceKind::StorageBuffer);
 static_assert(!find_resource(compute::effect, "cells")->writable);
 static_assert(find_resource(compute::effect, "results")->writable);
@@ -388,7 +389,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"TooManyThreads", "/modules/0/group_size", Json::array({64, 64, 64}),
                "modules[0].group_size: a thread group has 1024 threads at most"},
         Damage{"GroupOfAPixelShader", "/modules/0/stage", "pixel", "only a compute module has a thread group"},
-        Damage{"UnknownFormat", "/resources/2/format", "rgba8", "resources[2].format: 'rgba8' is not one of r32f"},
+        Damage{"UnknownFormat", "/resources/2/format", "rgba15f", "resources[2].format: 'rgba15f' is not one of rgba32f"},
         Damage{"WritableAsNumber", "/resources/2/writable", 1, "true or false was expected, and this is 1"},
         Damage{"NoElementSize", "/resources/5/size", erased, "resources[5]: the field 'size' is missing"},
         Damage{"ComputeBesidesPixel", "/techniques/0/passes/0/pixel",

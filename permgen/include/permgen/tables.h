@@ -34,8 +34,50 @@ enum class ResourceKind : std::uint8_t { UniformBuffer, CombinedImageSampler, St
 /// The dimensionality of a sampler's image or of a storage image; None for a buffer.
 enum class ImageDimension : std::uint8_t { None, One, Two, Three, Cube };
 
-/// The texels of a storage image. An image view must have the same format; None for every other resource.
-enum class ImageFormat : std::uint8_t { None, R32f, Rg32f, Rgba32f, R32i, Rg32i, Rgba32i, R32ui, Rg32ui, Rgba32ui };
+/// The texels of a storage image: Vulkan's format of the same components, as R16G16B16A16_SFLOAT for Rgba16f; without
+/// suffix it is UNORM. An image view must have that format. The numbers are SPIR-V's. None for every other resource.
+enum class ImageFormat : std::uint8_t {
+    None,
+    Rgba32f,
+    Rgba16f,
+    R32f,
+    Rgba8,
+    Rgba8snorm,
+    Rg32f,
+    Rg16f,
+    R11g11b10f,
+    R16f,
+    Rgba16,
+    Rgb10a2,
+    Rg16,
+    Rg8,
+    R16,
+    R8,
+    Rgba16snorm,
+    Rg16snorm,
+    Rg8snorm,
+    R16snorm,
+    R8snorm,
+    Rgba32i,
+    Rgba16i,
+    Rgba8i,
+    R32i,
+    Rg32i,
+    Rg16i,
+    Rg8i,
+    R16i,
+    R8i,
+    Rgba32ui,
+    Rgba16ui,
+    Rgba8ui,
+    R32ui,
+    Rgb10a2ui,
+    Rg32ui,
+    Rg16ui,
+    Rg8ui,
+    R16ui,
+    R8ui
+};
 
 /// A state that a pass or a sampler sets, e.g. SrcBlend = ONE. Each state occurs once.
 struct State {
