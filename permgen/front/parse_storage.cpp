@@ -26,8 +26,8 @@ std::optional<ImageFormatAttribute> parse_image_format(ParseCursor& cursor) {
     std::optional<ImageFormatAttribute> format;
     while (begins_image_format(cursor)) {
         const std::size_t begin = cursor.at;
+        const Location at = cursor.peek(name_tokens - 1).at;
         cursor.at += name_tokens;
-        const Location at = cursor.peek().at;
         if (format) cursor.fail("PG041", at, "[[vk::image_format(...)]] is given twice; remove one");
         cursor.expect("(", "after 'image_format'");
         const Token& name = cursor.take();

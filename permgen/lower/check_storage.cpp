@@ -22,7 +22,9 @@ bool is_image(const StorageResource& storage) {
 ImageFormat element_format(const NumericType& type) {
     if (type.is_matrix || type.scalar == ScalarType::Bool) return ImageFormat::None;
     constexpr std::string_view letters[] = {"r", "rg", "", "rgba"};
-    const std::string_view suffix = type.scalar == ScalarType::Float ? "f" : type.scalar == ScalarType::Int ? "i" : "ui";
+    const std::string_view suffix = type.scalar == ScalarType::Float ? "f"
+                                    : type.scalar == ScalarType::Int ? "i"
+                                                                     : "ui";
     const d3d9::ImageFormatRow* row =
         d3d9::find_image_format(std::string(letters[type.columns - 1]) + "32" + std::string(suffix));
     return row ? row->format : ImageFormat::None;

@@ -31,7 +31,9 @@ std::optional<std::array<std::uint32_t, 3>> group_size(const ParsedEffect& effec
     std::uint64_t threads = 1;
     for (std::size_t axis = 0; axis < size.size(); ++axis) {
         const TokenRange range = entry.threads->sizes[axis];
-        const std::string which = std::string("the ") + "xyz"[axis] + " size of [numthreads]";
+        constexpr std::string_view names[] = {"the x size of [numthreads]", "the y size of [numthreads]",
+                                              "the z size of [numthreads]"};
+        const std::string which(names[axis]);
         const std::string allowed =
             "; write a whole number from 1 to " + std::to_string(limits.size[axis]) + ", as " + profiles + " allows";
         if (range.empty()) return fail(entry.threads->at, which + " is missing" + allowed);

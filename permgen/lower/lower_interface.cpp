@@ -111,11 +111,11 @@ void add_slot(const Flattening& f, const Variable& leaf, InterfaceSlot slot) {
         slot.scalar = ScalarType::Uint;
         slot.conversion = Conversion::Cast;
     }
-    if (!resolve_system_value(f, slot))
-        return f.error(
-            "PG035", slot.semantic.at,
-            "'" + semantic_text(slot.semantic) + "' cannot be " + side(f) +
-                (f.stage == Stage::Compute ? std::string("; a compute shader reads ") + compute_input_names : ""));
+    if (!resolve_system_value(f, slot)) {
+        std::string message = "'" + semantic_text(slot.semantic) + "' cannot be " + side(f);
+        if (f.stage == Stage::Compute) message.append("; a compute shader reads ").append(compute_input_names);
+        return f.error("PG035", slot.semantic.at, message);
+    }
     if (f.stage == Stage::Compute && slot.author_scalar != ScalarType::Uint && slot.author_scalar != ScalarType::Int)
         return f.error("PG037", leaf.at,
                        "'" + std::string(leaf.name) + "' must be a " + spelling(slot.scalar, slot.components) +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <set>
 
@@ -176,6 +177,17 @@ void refuse_outputs(const Sources& sources, const Function& function, Diagnostic
                          "'" + std::string(parameter.name) + "' cannot be a compute shader's output" + remedy);
 }
 
+/// Vulkan allows groupshared variables in compute modules only. The entry point cannot reach one (PG048), but the text
+/// that all modules share has functions that do.
+void make_groupshared_private(std::string& hlsl) {
+    constexpr std::string_view word = "groupshared", other = "static";
+    const auto in_a_name = [&](std::size_t at) {
+        return at < hlsl.size() && (std::isalnum(static_cast<unsigned char>(hlsl[at])) != 0 || hlsl[at] == '_');
+    };
+    for (std::size_t at = hlsl.find(word); at != std::string::npos; at = hlsl.find(word, at + 1))
+        if (!in_a_name(at + word.size()) && (at == 0 || !in_a_name(at - 1))) hlsl.replace(at, word.size(), other);
+}
+
 }  // namespace
 
 void find_interface(const ParsedEffect& effect, const Sources& sources, EntryPoint& entry, Diagnostics& diagnostics) {
@@ -222,6 +234,7 @@ LoweredModule make_module(const ParsedEffect& effect, const Sources& sources, co
     module.outputs = attributes(entry.stage, Direction::Out, locations, entry.outputs);
 
     LoweredText& text = author;
+    if (entry.stage != Stage::Compute) make_groupshared_private(text.hlsl);
     for (const BoundParameter& bound : entry.bound.uniforms) {
         if (!bound.is_axis) continue;
         LoweredAxis axis;

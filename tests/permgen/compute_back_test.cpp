@@ -273,6 +273,24 @@ TEST(ComputeBack, EveryImageFormatReachesTheSpirv) {
         EXPECT_EQ("image_" + std::string(format_name(resource.format)), resource.name);
 }
 
+// Every module is made from the whole text, but only compute modules may have groupshared variables.
+TEST(ComputeBack, AnEffectMayDrawAndCompute) {
+    const Built built(
+        "groupshared\nuint lit; float groupshared_area; precise groupshared float4 sums[4]; RWTexture2D<float4> "
+        "image;\n"
+        "float4 vs(float4 p : POSITION) : POSITION { return p; }\n"
+        "float4 ps() : COLOR { return 1; }\n"
+        "[numthreads(4, 1, 1)] void cs(uint i : SV_GroupIndex) {\n"
+        "    uint before; InterlockedAdd(lit, 1u, before); sums[i] = 1; GroupMemoryBarrierWithGroupSync();\n"
+        "    image[uint2(i, lit)] = sums[3 - i]; }\n"
+        "technique draw { pass p { VertexShader = compile vs_3_0 vs(); PixelShader = compile ps_3_0 ps(); } }\n"
+        "technique sum { pass p { ComputeShader = compile cs_5_0 cs(); } }");
+    ASSERT_TRUE(built.program) << built.messages();
+    EXPECT_EQ(built.live(0), "");
+    EXPECT_EQ(built.live(1), "image");
+    for (const CompiledModule& module : built.program->modules) EXPECT_EQ(validate_spirv(module.code), "");
+}
+
 TEST(ComputeBack, APixelShaderMayReadBuffers) {
     const Built built(
         "StructuredBuffer<float4> colours; ByteAddressBuffer words;\n"

@@ -190,11 +190,14 @@ INSTANTIATE_TEST_SUITE_P(
         ErrorCase{"Bytes", "PG041", formatted("@\"r32f\"", "ByteAddressBuffer i;"), "has no image format; remove"},
         ErrorCase{"Variable", "PG041", formatted("@\"r32f\"", "float4 i;"), "belongs in front of a RWTexture1D"},
         ErrorCase{"Function", "PG041", formatted("@\"r32f\"", "void f() {}"), "belongs in front of a RWTexture1D"},
-        ErrorCase{"Twice", "PG041", body("[[vk::image_format(\"r32f\")]] [[vk::@image_format(\"r32f\")]] RWTexture2D<float> i;", ""),
+        ErrorCase{"Twice", "PG041",
+                  body("[[vk::image_format(\"r32f\")]] [[vk::@image_format(\"r32f\")]] RWTexture2D<float> i;", ""),
                   "is given twice; remove one"},
         ErrorCase{"RefusedType", "PG022", formatted("\"r32f\"", "@RWTexture2DArray<float> i;"), "; use a RWTexture3D"},
-        ErrorCase{"OwnBinding", "PG022", body("@[[vk::binding(3, 0)]] RWTexture2D<float4> i;", ""), "permgen gives out"},
-        ErrorCase{"Unclosed", "PG020", body("[[vk::image_format(\"r32f\")] @RWTexture2D<float> i;", ""), "expected ']'"}),
+        ErrorCase{"OwnBinding", "PG022", body("@[[vk::binding(3, 0)]] RWTexture2D<float4> i;", ""),
+                  "permgen gives out"},
+        ErrorCase{"Unclosed", "PG020", body("[[vk::image_format(\"r32f\")] @RWTexture2D<float> i;", ""),
+                  "expected ']'"}),
     [](const auto& error) { return std::string(error.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(

@@ -179,7 +179,9 @@ TEST(ComputeFront, BrokenGroupsNeverCrash) {
 }
 
 TEST(ComputeFront, BrokenStorageNeverCrashes) {
-    const std::string good = "[[vk::image_format(\"rgba8\")]]RWTexture2D<float4> a:register(u0),b;RWByteAddressBuffer c;groupshared uint d[4];";
+    const std::string good =
+        "[[vk::image_format(\"rgba8\")]]RWTexture2D<float4> a:register(u0),b;RWByteAddressBuffer c;groupshared uint "
+        "d[4];";
     for (std::size_t cut = 0; cut <= good.size(); ++cut) {
         LoweredEffect(good.substr(0, cut));
         LoweredEffect(good.substr(cut));
