@@ -12,7 +12,7 @@
 namespace permgen {
 namespace {
 
-constexpr int max_struct_depth = 16;
+constexpr int max_element_depth = 16;
 
 bool is_image(const StorageResource& storage) {
     return d3d9::find_storage_type(storage.type)->kind == ResourceKind::StorageImage;
@@ -106,7 +106,7 @@ private:
             return;
         }
         const Struct* structure = find_struct(effect_, type);
-        if (!structure || depth >= max_struct_depth)
+        if (!structure || depth >= max_element_depth)
             return error("PG041", type.at,
                          "a " + std::string(storage.type) + " cannot hold '" + std::string(type.name) +
                              "'; write a number's type, such as float4, or a struct of such");
