@@ -49,6 +49,7 @@ tyndall_room(plan PROGRAMS tyndall_plan_test COST "Brightness|Planner.Allocates"
 tyndall_room(runtime PROGRAMS tyndall_states_test)
 tyndall_room(runtime PROGRAMS tyndall_once_test VULKAN "^RecordMemory")
 tyndall_room(runtime PROGRAMS tyndall_record_test tyndall_record_calls_test VULKAN)
+tyndall_room(runtime PROGRAMS tyndall_compute_test VULKAN "^Summing")
 tyndall_room(planning PROGRAMS tyndall_planning_test VULKAN COST "RapidCheck" 16)
 tyndall_room(raycast PROGRAMS tyndall_raycast_test VULKAN COST "RaycastRoom" 60)
 tyndall_room(study PROGRAMS tyndall_study_tests)

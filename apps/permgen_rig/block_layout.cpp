@@ -107,6 +107,8 @@ Result<std::vector<BlockMember>> blockMembers(const permgen::Effect& effect) {
         BlockMember member;
         member.name = known.name;
         member.block = permgen::find_resource(effect, known.block);
+        // Elements of storage buffers are no constants.
+        if (member.block && member.block->kind != permgen::ResourceKind::UniformBuffer) continue;
         member.offset = known.offset;
         member.size = known.size;
         std::optional<Declared> declared;

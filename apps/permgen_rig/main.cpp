@@ -53,6 +53,21 @@ void checkFrozen(const permgen::Effect& effect, const Options& options) {
                                      options.manifest, technique.name));
 }
 
+/// A fixture has constants and textures, and a picture is what a pass draws.
+void checkDrawn(const permgen::Effect& effect, const Options& options) {
+    constexpr std::string_view remedy = "; name a technique that draws with --technique";
+    for (const permgen::Technique& technique : effect.techniques)
+        for (const permgen::Pass& pass : technique.passes) {
+            if (pass.compute.module)
+                stop(fmt::format("{}: {} computes, and permgen-rig tests what is drawn{}", options.manifest,
+                                 technique.name, remedy));
+            for (const permgen::Resource* resource : pass.live)
+                if (resource->kind == permgen::ResourceKind::StorageBuffer)
+                    stop(fmt::format("{}: {} reads the storage buffer {}, and a fixture has none{}", options.manifest,
+                                     technique.name, resource->name, remedy));
+        }
+}
+
 headless::Device openDevice(const Options& options) {
     headless::DeviceOptions wanted;
     wanted.deviceName = options.device;
@@ -172,6 +187,7 @@ Status run(const Options& options) {
     }
     const auto fixture = readFixture(options.fixture);
     if (!fixture) stop(fixture.error().message);
+    checkDrawn(effect, options);
     checkFrozen(effect, options);
     headless::Device device = openDevice(options);
     const auto renderer = EffectRenderer::create(device, effect, *fixture);

@@ -5,6 +5,7 @@
 #include "back/compile_modules.h"
 #include "back/freeze.h"
 #include "back/link.h"
+#include "common/names.h"
 
 namespace permgen {
 namespace {
@@ -33,7 +34,8 @@ void find_live(Program& program) {
         for (BuiltPass& pass : technique)
             for (std::size_t i = 0; i < program.effect.resources.size(); ++i)
                 if (uses(pass.vertex.reflection, program.effect.resources[i]) ||
-                    uses(pass.pixel.reflection, program.effect.resources[i]))
+                    uses(pass.pixel.reflection, program.effect.resources[i]) ||
+                    uses(pass.compute.reflection, program.effect.resources[i]))
                     pass.live.push_back(i);
 }
 
@@ -44,12 +46,16 @@ std::vector<ReflectedMember> members_of(const Reflection& reflection, const std:
     return members;
 }
 
-/// Sizes and members of the blocks; they must agree in all modules.
+bool is_buffer(ResourceKind kind) {
+    return kind == ResourceKind::UniformBuffer || kind == ResourceKind::StorageBuffer;
+}
+
+/// Sizes and members of the blocks and elements; they must agree in all modules.
 void describe_blocks(Program& program, Diagnostics& diagnostics) {
     for (const LoweredResource& resource : program.effect.resources) {
         std::uint32_t size = 0;
         std::vector<ReflectedMember> members;
-        for (std::size_t i = 0; resource.kind == ResourceKind::UniformBuffer && i < program.modules.size(); ++i) {
+        for (std::size_t i = 0; is_buffer(resource.kind) && i < program.modules.size(); ++i) {
             const Reflection& reflection = program.modules[i].reflection;
             const auto used =
                 std::find_if(reflection.resources.begin(), reflection.resources.end(),
@@ -58,8 +64,8 @@ void describe_blocks(Program& program, Diagnostics& diagnostics) {
             auto here = members_of(reflection, resource.name);
             if (size != 0 && (size != used->size || members != here))
                 diagnostics.push_back({Severity::Error, "PG058", resource.place,
-                                       "uniform block '" + resource.name + "' is laid out differently in '" +
-                                           program.effect.modules[i].author_entry +
+                                       resource_name(resource.kind, resource.dimension) + " '" + resource.name +
+                                           "' is laid out differently in '" + program.effect.modules[i].author_entry +
                                            "'; this is a fault of permgen, please report it"});
             size = used->size;
             members = std::move(here);

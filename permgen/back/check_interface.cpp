@@ -33,6 +33,10 @@ constexpr Builtin builtins[] = {
     {"SV_COVERAGE", Stage::Pixel, Direction::In, spv::BuiltInSampleMask},
     {"SV_COVERAGE", Stage::Pixel, Direction::Out, spv::BuiltInSampleMask},
     {"SV_DEPTH", Stage::Pixel, Direction::Out, spv::BuiltInFragDepth},
+    {"SV_DISPATCHTHREADID", Stage::Compute, Direction::In, spv::BuiltInGlobalInvocationId},
+    {"SV_GROUPTHREADID", Stage::Compute, Direction::In, spv::BuiltInLocalInvocationId},
+    {"SV_GROUPID", Stage::Compute, Direction::In, spv::BuiltInWorkgroupId},
+    {"SV_GROUPINDEX", Stage::Compute, Direction::In, spv::BuiltInLocalInvocationIndex},
 };
 
 std::string_view without_index(std::string_view semantic) {
@@ -109,6 +113,13 @@ void Checker::resources(const std::vector<LoweredResource>& intended,
             "set " + std::to_string(resource.set) + ", binding " + std::to_string(resource.binding);
         if (meant == intended.end() || meant->name != resource.name)
             fault({}, "resource '" + resource.name + "' is at " + slot + " by mistake");
+        else if (module_.stage != Stage::Compute && resource.writable)
+            out_.push_back({Severity::Error, "PG048", module_.place,
+                            "entry point '" + module_.author_entry + "' writes '" + resource.name + "', which a " +
+                                std::string(stage_name(module_.stage)) +
+                                " shader cannot do; compile it as a ComputeShader"});
+        else if (meant->format != resource.format || meant->writable != resource.writable)
+            fault(meant->place, "resource '" + resource.name + "' at " + slot + " has another format or access");
         else if (meant->kind != resource.kind || meant->dimension != resource.dimension)
             fault(meant->place, "resource '" + resource.name + "' at " + slot + " is a " +
                                     resource_name(resource.kind, resource.dimension) + ", but a " +
@@ -130,6 +141,7 @@ void Checker::switches(const std::vector<ReflectedConstant>& actual) const {
 void Checker::entry(const Reflection& actual) const {
     if (actual.entry != module_.entry || actual.stage != module_.stage)
         fault({}, "its entry point became '" + actual.entry + "'");
+    if (actual.group_size != module_.group_size) fault({}, "its thread group has another size");
 }
 
 }  // namespace

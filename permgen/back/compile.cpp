@@ -16,7 +16,8 @@ struct GlslangProcess {
 
 CompileResult compile_hlsl(Stage stage, const std::string& entry, const std::string& hlsl) {
     static const GlslangProcess process;
-    const EShLanguage language = stage == Stage::Vertex ? EShLangVertex : EShLangFragment;
+    constexpr EShLanguage languages[] = {EShLangVertex, EShLangFragment, EShLangCompute};
+    const EShLanguage language = languages[static_cast<int>(stage)];
     // No EShMsgHlslLegalization: it allows code that is valid only after further passes.
     constexpr auto messages =
         static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgReadHlsl | EShMsgHlslDX9Compatible);

@@ -45,6 +45,12 @@ std::optional<int> take_number(std::string_view& text) {
 /// "ERROR: 0:12: 'token' : text": string 0 is the only input.
 std::optional<Complaint> parse_complaint(std::string_view line) {
     Complaint complaint;
+    // The SPIR-V builder leaves out what it cannot translate, and still makes a module.
+    if (take_prefix(line, "Missing functionality: ") || take_prefix(line, "TBD functionality: ")) {
+        complaint.text = "the shader compiler cannot translate part of this entry point (" + std::string(trim(line)) +
+                         "); write it another way";
+        return complaint;
+    }
     if (take_prefix(line, "WARNING: "))
         complaint.severity = Severity::Warning;
     else if (!take_prefix(line, "ERROR: "))

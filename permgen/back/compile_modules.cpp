@@ -6,6 +6,7 @@
 #include "back/check_interface.h"
 #include "back/compile.h"
 #include "back/compile_log.h"
+#include "back/drop_unused.h"
 #include "back/validate.h"
 
 namespace permgen {
@@ -67,10 +68,13 @@ void append_new(Diagnostics& diagnostics, Diagnostics more) {
 std::vector<CompiledModule> compile_modules(const Lowered& effect, int jobs, const WorkerLimits& limits,
                                             Diagnostics& diagnostics) {
     warm_up_compiler();
+    const bool writes = std::any_of(effect.resources.begin(), effect.resources.end(),
+                                    [](const LoweredResource& resource) { return resource.writable; });
     const auto results = run_workers(effect.modules.size(), jobs, limits, [&](std::size_t i) {
         const LoweredModule& module = effect.modules[i];
         CompileResult compiled = compile_hlsl(module.stage, module.entry, module.hlsl);
         WorkerReply reply{std::move(compiled.code), std::move(compiled.log), {}};
+        if (writes && module.stage != Stage::Compute) reply.code = drop_unused_variables(reply.code);
         if (!reply.code.empty()) reply.invalid = validate_spirv(reply.code);
         return pack(reply);
     });

@@ -53,6 +53,7 @@ std::vector<std::vector<BuiltPass>> freeze_passes(const Lowered& effect, const s
         for (const LoweredPass& pass : technique.passes) {
             work.add(pass.vertex);
             work.add(pass.pixel);
+            work.add(pass.compute);
         }
     const auto results = run_workers(work.shaders.size(), jobs, limits, [&](std::size_t i) {
         const LoweredShader& shader = *work.shaders[i];
@@ -76,6 +77,7 @@ std::vector<std::vector<BuiltPass>> freeze_passes(const Lowered& effect, const s
             BuiltPass& out = built.emplace_back();
             if (pass.vertex.module >= 0) out.vertex = distinct[work.index.at(key_of(pass.vertex))];
             if (pass.pixel.module >= 0) out.pixel = distinct[work.index.at(key_of(pass.pixel))];
+            if (pass.compute.module >= 0) out.compute = distinct[work.index.at(key_of(pass.compute))];
         }
     }
     return passes;

@@ -28,6 +28,7 @@ struct FrozenShader {
 struct BuiltPass {
     FrozenShader vertex;
     FrozenShader pixel;
+    FrozenShader compute;
     std::vector<std::size_t> live;  ///< indices into Lowered::resources, ascending
 };
 
@@ -35,8 +36,8 @@ struct Program {
     Lowered effect;
     std::vector<CompiledModule> modules;         ///< as Lowered::modules
     std::vector<std::vector<BuiltPass>> passes;  ///< [technique][pass], as in Lowered
-    std::vector<std::uint32_t> resource_sizes;   ///< as Lowered::resources; bytes, 0 for a sampler
-    std::vector<ReflectedMember> members;        ///< of every block, in the order of resources and offsets
+    std::vector<std::uint32_t> resource_sizes;   ///< as Lowered::resources; bytes of a block or element, else 0
+    std::vector<ReflectedMember> members;        ///< of every block and element, in the order of resources and offsets
 };
 
 }  // namespace permgen

@@ -3,6 +3,7 @@
 
 #include <permgen/tables.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,7 +28,9 @@ struct ReflectedResource {
     ImageDimension dimension = ImageDimension::None;
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
-    std::uint32_t size = 0;  ///< bytes of a block
+    std::uint32_t size = 0;  ///< bytes of a block or of a storage buffer's element
+    ImageFormat format = ImageFormat::None;
+    bool writable = false;
 };
 
 struct ReflectedMember {
@@ -49,15 +52,16 @@ struct ReflectedConstant {
 struct Reflection {
     std::string entry;
     Stage stage = Stage::Vertex;
-    std::vector<ReflectedVariable> inputs;     ///< by location, built-ins last
-    std::vector<ReflectedVariable> outputs;    ///< likewise
-    std::vector<ReflectedResource> resources;  ///< by set and binding
-    std::vector<ReflectedMember> members;      ///< by block, then offset
-    std::vector<ReflectedConstant> constants;  ///< by id
+    std::array<std::uint32_t, 3> group_size{};  ///< of a compute shader
+    std::vector<ReflectedVariable> inputs;      ///< by location, built-ins last
+    std::vector<ReflectedVariable> outputs;     ///< likewise
+    std::vector<ReflectedResource> resources;   ///< by set and binding
+    std::vector<ReflectedMember> members;       ///< by block, then offset
+    std::vector<ReflectedConstant> constants;   ///< by id
 };
 
 /// Reads a module that SPIRV-Tools found valid. Fails with a reason unless the module has exactly one entry point,
-/// vertex or pixel, and only resources that the tables can express.
+/// vertex, pixel or compute, and only resources that the tables can express.
 struct ReflectResult {
     std::optional<Reflection> reflection;
     std::string reason;

@@ -1,5 +1,6 @@
 #include "common/names.h"
 
+#include "d3d9/image_formats.h"
 #include "d3d9/states.h"
 
 namespace permgen {
@@ -14,16 +15,23 @@ std::string type_name(ScalarType type, std::uint32_t components) {
 }
 
 std::string_view stage_name(Stage stage) {
-    return stage == Stage::Vertex ? "vertex" : "pixel";
+    constexpr std::string_view names[] = {"vertex", "pixel", "compute"};
+    return names[static_cast<int>(stage)];
 }
 
 std::string_view kind_name(ResourceKind kind) {
-    return kind == ResourceKind::UniformBuffer ? "uniform-buffer" : "combined-image-sampler";
+    constexpr std::string_view names[] = {"uniform-buffer", "combined-image-sampler", "storage-image",
+                                          "storage-buffer"};
+    return names[static_cast<int>(kind)];
 }
 
 std::string_view dimension_name(ImageDimension dimension) {
     constexpr std::string_view names[] = {"", "1d", "2d", "3d", "cube"};
     return names[static_cast<int>(dimension)];
+}
+
+std::string_view format_name(ImageFormat format) {
+    return format == ImageFormat::None ? std::string_view() : d3d9::row_of(format).name;
 }
 
 std::string_view state_name(StateId id) {
@@ -38,6 +46,8 @@ std::string_view value_kind_name(ValueKind kind) {
 
 std::string resource_name(ResourceKind kind, ImageDimension dimension) {
     if (kind == ResourceKind::UniformBuffer) return "uniform block";
+    if (kind == ResourceKind::StorageBuffer) return "storage buffer";
+    if (kind == ResourceKind::StorageImage) return "storage image " + std::string(dimension_name(dimension));
     constexpr std::string_view names[] = {"sampler", "sampler1D", "sampler2D", "sampler3D", "samplerCUBE"};
     return std::string(names[static_cast<int>(dimension)]);
 }

@@ -57,13 +57,17 @@ void read_annotation(const SpirvInstruction& instruction, SpirvModule& module) {
             module.member_decorations[{words[0], words[1]}][words[2]] = words.size() > 3 ? words[3] : 0;
             break;
         case spv::OpEntryPoint: {
-            SpirvModule::EntryPoint entry{words[0], {}, {}};
+            SpirvModule::EntryPoint entry{words[0], {}, {}, {}};
             std::size_t next = 0;
             entry.name = spirv_literal(words, 2, &next);
             entry.interface.assign(words.begin() + static_cast<std::ptrdiff_t>(next), words.end());
             module.entries.push_back(std::move(entry));
             break;
         }
+        case spv::OpExecutionMode:  // a module of ours has one entry point, and its modes come behind it
+            if (words[1] == spv::ExecutionModeLocalSize && words.size() == 5 && !module.entries.empty())
+                module.entries.back().local_size = {words[2], words[3], words[4]};
+            break;
         default:
             break;
     }

@@ -2,6 +2,7 @@
 // opcode (SPIR-V specification, section 2.3).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -39,6 +40,7 @@ struct SpirvModule {
         std::uint32_t model;
         std::string name;
         std::vector<std::uint32_t> interface;
+        std::array<std::uint32_t, 3> local_size{};  ///< of a compute shader
     };
     using Decorations = std::map<std::uint32_t, std::uint32_t>;  ///< spv::Decoration to its first operand, or 0
 

@@ -26,7 +26,8 @@ std::string emit_keys(const Program& program);
 /// NAME.fx.json: everything in the header, SPIR-V by file name.
 std::string emit_manifest(const Program& program, const EmitOptions& options);
 
-/// The entries of Module::attributes: a vertex module's inputs, a pixel module's outputs, without system values.
+/// The entries of Module::attributes: a vertex module's inputs, a pixel module's outputs, without system
+/// values; none of a compute module.
 std::vector<LoweredAttribute> module_attributes(const LoweredModule& module);
 
 /// The bytes of a SPIR-V file: little-endian on every machine.

@@ -1,3 +1,4 @@
+#include "common/names.h"
 #include "emit/emit.h"
 
 namespace permgen {
@@ -18,6 +19,8 @@ void add_frozen(const Program& program, std::size_t technique, std::size_t pass,
     const BuiltPass& built = program.passes[technique][pass];
     if (!built.vertex.code.empty())
         files.push_back({frozen_file(program, technique, pass, Stage::Vertex), spirv_bytes(built.vertex.code)});
+    if (!built.compute.code.empty())
+        files.push_back({frozen_file(program, technique, pass, Stage::Compute), spirv_bytes(built.compute.code)});
     if (!built.pixel.code.empty())
         files.push_back({frozen_file(program, technique, pass, Stage::Pixel), spirv_bytes(built.pixel.code)});
 }
@@ -26,6 +29,7 @@ void add_frozen(const Program& program, std::size_t technique, std::size_t pass,
 
 std::vector<LoweredAttribute> module_attributes(const LoweredModule& module) {
     std::vector<LoweredAttribute> attributes;
+    if (module.stage == Stage::Compute) return attributes;
     for (const LoweredAttribute& attribute : module.stage == Stage::Vertex ? module.inputs : module.outputs)
         if (!attribute.builtin) attributes.push_back(attribute);
     return attributes;
@@ -47,8 +51,8 @@ std::string frozen_file(const Program& program, std::size_t technique, std::size
     // The number distinguishes passes with equal or empty names.
     const std::string& name = program.effect.techniques[technique].passes[pass].name;
     return file_safe(program.effect.name) + "." + file_safe(program.effect.techniques[technique].name) + "." +
-           std::to_string(pass) + (name.empty() ? "" : "-" + file_safe(name)) +
-           (stage == Stage::Vertex ? ".vertex.spv" : ".pixel.spv");
+           std::to_string(pass) + (name.empty() ? "" : "-" + file_safe(name)) + "." + std::string(stage_name(stage)) +
+           ".spv";
 }
 
 std::vector<OutputFile> emit_files(const Program& program, const EmitOptions& options) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "common/names.h"
+#include "d3d9/image_formats.h"
 #include "emit/emit.h"
 
 namespace permgen {
@@ -30,7 +31,17 @@ std::string_view scalar_enum(ScalarType type) {
 }
 
 std::string_view kind_enum(ResourceKind kind) {
-    return kind == ResourceKind::UniformBuffer ? "UniformBuffer" : "CombinedImageSampler";
+    constexpr std::string_view names[] = {"UniformBuffer", "CombinedImageSampler", "StorageImage", "StorageBuffer"};
+    return names[static_cast<int>(kind)];
+}
+
+std::string_view stage_enum(Stage stage) {
+    constexpr std::string_view names[] = {"Vertex", "Pixel", "Compute"};
+    return names[static_cast<int>(stage)];
+}
+
+std::string_view format_enum(ImageFormat format) {
+    return format == ImageFormat::None ? "None" : d3d9::row_of(format).enumerator;
 }
 
 std::string_view kind_enum(ValueKind kind) {
@@ -98,6 +109,12 @@ void HeaderWriter::states(const std::string& name, const std::vector<LoweredStat
     line("}};");
 }
 
+/// ", {8u, 8u, 1u}" of a compute module.
+std::string group_size(const LoweredModule& module) {
+    if (module.stage != Stage::Compute) return {};
+    return fmt::format(", {{{}u, {}u, {}u}}", module.group_size[0], module.group_size[1], module.group_size[2]);
+}
+
 void HeaderWriter::module(std::size_t index) {
     const LoweredModule& module = program_.effect.modules[index];
     const std::string name = fmt::format("module_{}", index);
@@ -115,10 +132,16 @@ void HeaderWriter::module(std::size_t index) {
                  attribute.components, scalar_enum(attribute.type));
         line("}};");
     }
-    line("inline constexpr permgen::Module {} = {{{}, {}, permgen::Stage::{}, {}, {}, {}}};\n", name,
-         quoted(module.name), quoted(program_.modules[index].reflection.entry),
-         module.stage == Stage::Vertex ? "Vertex" : "Pixel", name + "_code",
-         span_of(name + "_axes", module.axes.size()), span_of(name + "_attributes", attributes.size()));
+    line("inline constexpr permgen::Module {} = {{{}, {}, permgen::Stage::{}, {}, {}, {}{}}};\n", name,
+         quoted(module.name), quoted(program_.modules[index].reflection.entry), stage_enum(module.stage),
+         name + "_code", span_of(name + "_axes", module.axes.size()), span_of(name + "_attributes", attributes.size()),
+         group_size(module));
+}
+
+/// ", permgen::ImageFormat::R32f, true" of a storage image or buffer.
+std::string storage_fields(const LoweredResource& resource) {
+    if (resource.kind != ResourceKind::StorageImage && resource.kind != ResourceKind::StorageBuffer) return {};
+    return fmt::format(", permgen::ImageFormat::{}, {}", format_enum(resource.format), resource.writable);
 }
 
 void HeaderWriter::resources() {
@@ -126,9 +149,10 @@ void HeaderWriter::resources() {
     for (std::size_t i = 0; i < all.size(); ++i) states(fmt::format("resource_{}_states", i), all[i].sampler_states);
     if (!open("permgen::Resource", "resources", all.size())) return;
     for (std::size_t i = 0; i < all.size(); ++i)
-        line("    {{{}, permgen::ResourceKind::{}, permgen::ImageDimension::{}, {}u, {}u, {}u, {}}},",
+        line("    {{{}, permgen::ResourceKind::{}, permgen::ImageDimension::{}, {}u, {}u, {}u, {}{}}},",
              quoted(all[i].name), kind_enum(all[i].kind), dimension_enum(all[i].dimension), all[i].set, all[i].binding,
-             program_.resource_sizes[i], span_of(fmt::format("resource_{}_states", i), all[i].sampler_states.size()));
+             program_.resource_sizes[i], span_of(fmt::format("resource_{}_states", i), all[i].sampler_states.size()),
+             storage_fields(all[i]));
     line("}};\n");
 }
 
@@ -165,8 +189,10 @@ void HeaderWriter::pass(std::size_t technique, std::size_t index) {
     const std::string name = fmt::format("pass_{}_{}", technique, index);
     shader_constants(name + "_vertex", pass.vertex);
     shader_constants(name + "_pixel", pass.pixel);
+    shader_constants(name + "_compute", pass.compute);
     frozen(built.vertex.code);
     frozen(built.pixel.code);
+    frozen(built.compute.code);
     if (open("const permgen::Resource*", name + "_live", built.live.size())) {
         for (const std::size_t live : built.live) line("    &resources[{}],", live);
         line("}};");
@@ -183,10 +209,13 @@ void HeaderWriter::techniques() {
         for (std::size_t p = 0; p < passes.size(); ++p) {
             const std::string name = fmt::format("pass_{}_{}", t, p);
             const BuiltPass& built = program_.passes[t][p];
-            line("    {{{}, {}, {}, {}, {}}},", quoted(passes[p].name),
+            line("    {{{}, {}, {}, {}, {}{}}},", quoted(passes[p].name),
                  shader(name + "_vertex", passes[p].vertex, built.vertex.code),
                  shader(name + "_pixel", passes[p].pixel, built.pixel.code), span_of(name + "_live", built.live.size()),
-                 span_of(name + "_states", passes[p].states.size()));
+                 span_of(name + "_states", passes[p].states.size()),
+                 passes[p].compute.module < 0
+                     ? ""
+                     : ", " + shader(name + "_compute", passes[p].compute, built.compute.code));
         }
         line("}};\n");
     }

@@ -96,6 +96,7 @@ void emit_lookup(const Program& program, std::size_t index, const std::vector<st
         for (const LoweredPass& pass : program.effect.techniques[t].passes) {
             emit_row(pass.vertex, static_cast<int>(index), techniques[t], out);
             emit_row(pass.pixel, static_cast<int>(index), techniques[t], out);
+            emit_row(pass.compute, static_cast<int>(index), techniques[t], out);
         }
     out += fmt::format(
         "}};\n}}  // namespace detail\n\n"

@@ -37,14 +37,16 @@ Json module_json(const Program& program, std::size_t index) {
                               {"location", attribute.location},
                               {"components", attribute.components},
                               {"type", scalar_name(attribute.type)}});
-    return {{"name", module.name},
-            {"entry", program.modules[index].reflection.entry},
-            {"author_entry", module.author_entry},
-            {"profile", module.profile},
-            {"stage", stage_name(module.stage)},
-            {"file", module_file(program, index)},
-            {"axes", std::move(axes)},
-            {"attributes", std::move(attributes)}};
+    Json json = {{"name", module.name},
+                 {"entry", program.modules[index].reflection.entry},
+                 {"author_entry", module.author_entry},
+                 {"profile", module.profile},
+                 {"stage", stage_name(module.stage)},
+                 {"file", module_file(program, index)},
+                 {"axes", std::move(axes)},
+                 {"attributes", std::move(attributes)}};
+    if (module.stage == Stage::Compute) json["group_size"] = module.group_size;
+    return json;
 }
 
 Json resource_json(const Program& program, std::size_t index) {
@@ -53,12 +55,15 @@ Json resource_json(const Program& program, std::size_t index) {
                  {"kind", kind_name(resource.kind)},
                  {"set", resource.set},
                  {"binding", resource.binding}};
-    if (resource.kind == ResourceKind::UniformBuffer)
+    if (resource.kind == ResourceKind::UniformBuffer || resource.kind == ResourceKind::StorageBuffer)
         json["size"] = program.resource_sizes[index];
-    else {
+    else
         json["dimension"] = dimension_name(resource.dimension);
+    if (resource.kind == ResourceKind::CombinedImageSampler)
         json["sampler_states"] = states_json(resource.sampler_states);
-    }
+    if (resource.kind == ResourceKind::StorageImage) json["format"] = format_name(resource.format);
+    if (resource.kind == ResourceKind::StorageImage || resource.kind == ResourceKind::StorageBuffer)
+        json["writable"] = resource.writable;
     return json;
 }
 
@@ -85,6 +90,7 @@ Json pass_json(const Program& program, const EmitOptions& options, std::size_t t
     return {{"name", pass.name},
             {"vertex", shader_json(program, pass.vertex, frozen(Stage::Vertex))},
             {"pixel", shader_json(program, pass.pixel, frozen(Stage::Pixel))},
+            {"compute", shader_json(program, pass.compute, frozen(Stage::Compute))},
             {"live", std::move(live)},
             {"states", states_json(pass.states)}};
 }

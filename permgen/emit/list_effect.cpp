@@ -19,7 +19,9 @@ Json shader_json(const Program& program, const LoweredShader& shader) {
     Json constants = Json::object();
     for (const LoweredConstant& constant : shader.constants)
         constants[constant.name] = constant_json(constant.type, constant.bits);
-    return {{"entry", module.author_entry}, {"module", module.name}, {"constants", std::move(constants)}};
+    Json json = {{"entry", module.author_entry}, {"module", module.name}, {"constants", std::move(constants)}};
+    if (module.stage == Stage::Compute) json["group_size"] = module.group_size;
+    return json;
 }
 
 Json pass_json(const Program& program, std::size_t t, std::size_t p) {
@@ -28,20 +30,25 @@ Json pass_json(const Program& program, std::size_t t, std::size_t p) {
     for (const std::size_t index : program.passes[t][p].live) live.push_back(program.effect.resources[index].name);
     Json states = Json::object();
     for (const LoweredState& state : pass.states) states[state.name] = state.value;
-    return {{"name", pass.name},
-            {"vertex", shader_json(program, pass.vertex)},
-            {"pixel", shader_json(program, pass.pixel)},
-            {"live", std::move(live)},
-            {"states", std::move(states)}};
+    Json json = {{"name", pass.name},
+                 {"vertex", shader_json(program, pass.vertex)},
+                 {"pixel", shader_json(program, pass.pixel)},
+                 {"live", std::move(live)},
+                 {"states", std::move(states)}};
+    if (pass.compute.module >= 0) json["compute"] = shader_json(program, pass.compute);
+    return json;
 }
 
-/// "ps_main(false, true, true)"
+/// "ps_main(false, true, true)"; "cs_main(true) [8, 8, 1]" with the thread group
 std::string call_text(const Program& program, const LoweredShader& shader) {
     if (shader.module < 0) return "-";
-    std::string text = program.effect.modules[static_cast<std::size_t>(shader.module)].author_entry + "(";
+    const LoweredModule& module = program.effect.modules[static_cast<std::size_t>(shader.module)];
+    std::string text = module.author_entry + "(";
     for (std::size_t i = 0; i < shader.constants.size(); ++i)
         text += (i ? ", " : "") + constant_json(shader.constants[i].type, shader.constants[i].bits).dump();
-    return text + ")";
+    text += ")";
+    if (module.stage != Stage::Compute) return text;
+    return fmt::format("{} [{}, {}, {}]", text, module.group_size[0], module.group_size[1], module.group_size[2]);
 }
 
 }  // namespace
@@ -58,8 +65,10 @@ std::string list_json(const Program& program) {
 }
 
 std::string list_table(const Program& program) {
-    using Row = std::array<std::string, 5>;
-    std::vector<Row> rows{{"technique", "pass", "vertex", "pixel", "live"}};
+    constexpr std::size_t columns = 6, compute_column = 4;
+    using Row = std::array<std::string, columns>;
+    std::vector<Row> rows{{"technique", "pass", "vertex", "pixel", "compute", "live"}};
+    bool computes = false;
     for (std::size_t t = 0; t < program.passes.size(); ++t)
         for (std::size_t p = 0; p < program.passes[t].size(); ++p) {
             const LoweredTechnique& technique = program.effect.techniques[t];
@@ -67,9 +76,11 @@ std::string list_table(const Program& program) {
             for (const std::size_t index : program.passes[t][p].live)
                 live += (live.empty() ? "" : ", ") + program.effect.resources[index].name;
             rows.push_back({technique.name, technique.passes[p].name, call_text(program, technique.passes[p].vertex),
-                            call_text(program, technique.passes[p].pixel), live});
+                            call_text(program, technique.passes[p].pixel),
+                            call_text(program, technique.passes[p].compute), live});
+            computes |= technique.passes[p].compute.module >= 0;
         }
-    std::array<std::size_t, 5> widths{};
+    std::array<std::size_t, columns> widths{};
     for (const Row& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
     const auto counted = [](std::size_t count, const char* what) {
@@ -80,7 +91,8 @@ std::string list_table(const Program& program) {
                     counted(program.effect.modules.size(), "module"));
     for (const Row& row : rows) {
         std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (computes || i != compute_column) line += fmt::format("{:<{}}  ", row[i], widths[i]);
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
     }

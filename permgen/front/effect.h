@@ -49,6 +49,7 @@ struct Qualifiers {
     bool centroid = false;
     bool noperspective = false;
     bool nointerpolation = false;
+    bool groupshared = false;
 };
 
 /// One declared name: a global, a member of a struct or cbuffer, or a parameter.
@@ -70,11 +71,18 @@ struct Struct {
     Location at;
 };
 
+/// `[numthreads(8, 8, 1)]`
+struct ThreadGroup {
+    std::vector<TokenRange> sizes;  ///< what stands between the commas
+    Location at;
+};
+
 struct Function {
     std::string_view name;
     TypeName result;
     Semantic semantic;  ///< of the result
     std::vector<Variable> parameters;
+    std::optional<ThreadGroup> threads;
     TokenRange body;  ///< with its braces; empty: a prototype
     TokenRange range;
     Location at;
@@ -100,6 +108,22 @@ struct Sampler {
 /// A D3D9 texture object, which a sampler's `Texture = <name>` names; SPIR-V does not need it.
 struct TextureObject {
     std::string_view name;
+    Location at;
+};
+
+/// `[[vk::image_format("rgba16f")]]`
+struct ImageFormatAttribute {
+    std::string_view name;  ///< without quotes
+    Location at;            ///< of the name
+};
+
+/// A storage image or buffer, `RWTexture2D<float4> image;`
+struct StorageResource {
+    std::string_view type;  ///< one of d3d9::storage_types
+    TypeName element;       ///< not of a byte address buffer
+    std::optional<ImageFormatAttribute> format;
+    std::string_view name;
+    TokenRange range;
     Location at;
 };
 
@@ -130,6 +154,7 @@ struct ParsedPass {
     std::string name;
     std::optional<Compile> vertex;
     std::optional<Compile> pixel;
+    std::optional<Compile> compute;
     std::vector<StateAssignment> states;
     Location at;
 };
@@ -141,7 +166,7 @@ struct ParsedTechnique {
 };
 
 /// The declarations at file scope, in the author's order.
-enum class ItemKind { Struct, Function, Globals, Sampler, Typedef, ConstantBuffer, Dropped };
+enum class ItemKind { Struct, Function, Globals, Sampler, Storage, Typedef, ConstantBuffer, Dropped };
 
 struct Item {
     ItemKind kind;
@@ -159,6 +184,7 @@ struct ParsedEffect {
     std::vector<Variable> globals;
     std::vector<Sampler> samplers;
     std::vector<TextureObject> textures;
+    std::vector<StorageResource> storages;
     std::vector<Typedef> typedefs;
     std::vector<ConstantBuffer> constant_buffers;
     std::vector<ParsedTechnique> techniques;

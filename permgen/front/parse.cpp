@@ -4,6 +4,7 @@
 #include <array>
 
 #include "front/parse_declaration.h"
+#include "front/parse_storage.h"
 #include "front/parse_technique.h"
 
 namespace permgen {
@@ -16,13 +17,14 @@ struct Refused {
     std::string_view word;
     std::string_view reason;
 };
-constexpr std::array<Refused, 24> refused_words = {{
+constexpr std::array<Refused, 37> refused_words = {{
     {"technique10", "write a `technique` with `compile`"},
     {"technique11", "write a `technique` with `compile`"},
     {"fxgroup", "write the techniques at file scope"},
     {"VertexShader", "write the `compile` into the pass"},
     {"PixelShader", "write the `compile` into the pass"},
     {"vertexshader", "write the `compile` into the pass"},
+    {"ComputeShader", "write the `compile` into the pass"},
     {"pixelshader", "write the `compile` into the pass"},
     {"vertexfragment", "write the shader in HLSL and `compile` it"},
     {"pixelfragment", "write the shader in HLSL and `compile` it"},
@@ -38,9 +40,21 @@ constexpr std::array<Refused, 24> refused_words = {{
     {"Texture2D", "declare a `sampler2D` and read it with tex2D"},
     {"Texture3D", "declare a `sampler3D` and read it with tex3D"},
     {"TextureCube", "declare a `samplerCUBE` and read it with texCUBE"},
-    {"Buffer", "use a cbuffer"},
-    {"StructuredBuffer", "use a cbuffer"},
-    {"RWTexture2D", "effects cannot write to textures"},
+    {"Texture1DArray", "use a `sampler2D` or a `sampler3D`"},
+    {"Texture2DArray", "use a `sampler3D`"},
+    {"TextureCubeArray", "declare a `samplerCUBE` for each"},
+    {"Texture2DMS", "resolve it, declare a `sampler2D` and read it with tex2D"},
+    {"Buffer", "use a StructuredBuffer"},
+    {"RWBuffer", "use a RWStructuredBuffer"},
+    {"AppendStructuredBuffer", "use a RWStructuredBuffer and count with InterlockedAdd"},
+    {"ConsumeStructuredBuffer", "use a RWStructuredBuffer and count with InterlockedAdd"},
+    {"RWTexture1DArray", "use a RWTexture2D"},
+    {"RWTexture2DArray", "use a RWTexture3D"},
+    {"RasterizerOrderedTexture2D", "use a RWTexture2D in a compute shader"},
+    {"RasterizerOrderedBuffer", "use a RWStructuredBuffer in a compute shader"},
+    {"RasterizerOrderedStructuredBuffer", "use a RWStructuredBuffer in a compute shader"},
+    {"RasterizerOrderedByteAddressBuffer", "use a RWByteAddressBuffer in a compute shader"},
+    {"globallycoherent", "separate passes with a barrier instead"},
 }};
 
 // `texture` and `sampler` are types only in front of a name.
@@ -61,31 +75,56 @@ void drop_declaration(ParseCursor& cursor) {
     cursor.drop({begin, cursor.at});
 }
 
-void parse_item(ParseCursor& cursor) {
+std::size_t count_qualifiers(const ParseCursor& cursor) {
+    static constexpr std::array<std::string_view, 5> skippable = {"uniform", "extern", "shared", "static", "const"};
+    std::size_t qualifiers = 0;
+    while (std::any_of(skippable.begin(), skippable.end(),
+                       [&](std::string_view word) { return cursor.peek(qualifiers).is(word); }))
+        ++qualifiers;
+    return qualifiers;
+}
+
+void drop_next(ParseCursor& cursor, std::size_t tokens) {
+    cursor.drop({cursor.at, cursor.at + tokens});
+    cursor.at += tokens;
+}
+
+void refuse_word(ParseCursor& cursor) {
     const Token& token = cursor.peek();
-    if (token.is(";")) return cursor.drop({cursor.at, (cursor.take(), cursor.at)});
-    if (same_word(token.text, "technique")) return parse_technique(cursor);
     for (const Refused& refused : refused_words)
         if (token.is(refused.word) &&
             (cursor.peek(1).is_identifier() || cursor.peek(1).is("{") || cursor.peek(1).is("<")))
             cursor.fail("PG022", token.at,
                         "'" + std::string(token.text) + "' is not supported; " + std::string(refused.reason));
+}
+
+/// What follows `[[vk::image_format("...")]]`.
+void parse_with_format(ParseCursor& cursor, const ImageFormatAttribute& format) {
+    refuse_word(cursor);
+    const std::size_t qualifiers = count_qualifiers(cursor);
+    if (!begins_storage(cursor, qualifiers))
+        cursor.fail("PG041", format.at,
+                    "[[vk::image_format(...)]] belongs in front of a RWTexture1D, RWTexture2D or RWTexture3D; move it "
+                    "there or remove it");
+    drop_next(cursor, qualifiers);
+    parse_storages(cursor, format);
+}
+
+void parse_item(ParseCursor& cursor) {
+    const Token& token = cursor.peek();
+    if (token.is(";")) return cursor.drop({cursor.at, (cursor.take(), cursor.at)});
+    if (same_word(token.text, "technique")) return parse_technique(cursor);
+    if (const auto format = parse_image_format(cursor)) return parse_with_format(cursor, *format);
+    refuse_word(cursor);
     if (token.is("struct")) return parse_struct(cursor);
     if (token.is("typedef")) return parse_typedef(cursor);
     if (token.is("cbuffer")) return parse_constant_buffer(cursor);
     if (token.is("string") && cursor.peek(1).is_identifier()) return drop_declaration(cursor);
 
-    std::size_t qualifiers = 0;
-    static constexpr std::array<std::string_view, 5> skippable = {"uniform", "extern", "shared", "static", "const"};
-    while (std::any_of(skippable.begin(), skippable.end(),
-                       [&](std::string_view word) { return cursor.peek(qualifiers).is(word); }))
-        ++qualifiers;
-    const auto drop_qualifiers = [&] {
-        cursor.drop({cursor.at, cursor.at + qualifiers});
-        cursor.at += qualifiers;
-    };
-    if (declares(cursor, is_sampler_type, qualifiers)) return drop_qualifiers(), parse_samplers(cursor);
-    if (declares(cursor, is_texture_type, qualifiers)) return drop_qualifiers(), parse_textures(cursor);
+    const std::size_t qualifiers = count_qualifiers(cursor);
+    if (declares(cursor, is_sampler_type, qualifiers)) return drop_next(cursor, qualifiers), parse_samplers(cursor);
+    if (declares(cursor, is_texture_type, qualifiers)) return drop_next(cursor, qualifiers), parse_textures(cursor);
+    if (begins_storage(cursor, qualifiers)) return drop_next(cursor, qualifiers), parse_storages(cursor, {});
     parse_function_or_globals(cursor);
 }
 

@@ -3,19 +3,34 @@
 #include <array>
 
 #include "common/nearest.h"
+#include "d3d9/storage_types.h"
 #include "front/parse.h"
+#include "front/parse_numthreads.h"
 #include "front/report.h"
 
 namespace permgen {
 namespace {
 
 // The words that can start a declaration at file scope, for "did you mean".
-constexpr std::array<std::string_view, 14> file_scope_words = {
-    "technique", "struct",  "cbuffer",   "typedef",   "sampler",     "sampler2D", "sampler3D",
-    "static",    "texture", "texture2D", "texture3D", "samplerCUBE", "uniform",   "const"};
+constexpr std::array<std::string_view, 22> file_scope_words = {"technique",         "struct",
+                                                               "cbuffer",           "typedef",
+                                                               "sampler",           "sampler2D",
+                                                               "sampler3D",         "static",
+                                                               "texture",           "texture2D",
+                                                               "texture3D",         "samplerCUBE",
+                                                               "uniform",           "const",
+                                                               "groupshared",       "RWTexture1D",
+                                                               "RWTexture2D",       "RWTexture3D",
+                                                               "StructuredBuffer",  "RWStructuredBuffer",
+                                                               "ByteAddressBuffer", "RWByteAddressBuffer"};
 
 bool is_uppercase_void(const TypeName& type) {
     return type.name == "void";
+}
+
+void check_not_groupshared(ParseCursor& cursor, const Qualifiers& qualifiers, Location at) {
+    if (qualifiers.groupshared)
+        cursor.fail("PG022", at, "'groupshared' is for variables at file scope; declare this one there");
 }
 
 void parse_members(ParseCursor& cursor, const std::string& owner, std::vector<Variable>& members) {
@@ -26,7 +41,9 @@ void parse_members(ParseCursor& cursor, const std::string& owner, std::vector<Va
         if (cursor.take_if(";")) continue;
         Variable first;
         first.range.begin = cursor.at;
+        const Location at = cursor.peek().at;
         first.qualifiers = parse_qualifiers(cursor);
+        check_not_groupshared(cursor, first.qualifiers, at);
         if (cursor.is("struct"))
             cursor.fail("PG022", cursor.peek().at,
                         "declare the inner struct of '" + owner + "' at file scope, by name");
@@ -58,7 +75,9 @@ void parse_members(ParseCursor& cursor, const std::string& owner, std::vector<Va
 Variable parse_parameter(ParseCursor& cursor, std::string_view function) {
     Variable parameter;
     parameter.range.begin = cursor.at;
+    const Location at = cursor.peek().at;
     parameter.qualifiers = parse_qualifiers(cursor);
+    check_not_groupshared(cursor, parameter.qualifiers, at);
     parameter.type = parse_type(cursor);
     if (!cursor.peek().is_identifier())
         cursor.fail("PG022", cursor.peek().at,
@@ -128,6 +147,8 @@ Qualifiers parse_qualifiers(ParseCursor& cursor) {
             qualifiers.noperspective = dropped = true;
         else if (word.is("nointerpolation"))
             qualifiers.nointerpolation = dropped = true;
+        else if (word.is("groupshared"))
+            qualifiers.groupshared = true;
         else if (word.is("linear") || word.is("precise"))
             dropped = true;
         else
@@ -144,6 +165,9 @@ TypeName parse_type(ParseCursor& cursor) {
         cursor.take();
         cursor.effect.tokens[cursor.at].text = "uint";
     }
+    if (d3d9::find_storage_type(cursor.peek().text))
+        cursor.fail("PG041", cursor.peek().at,
+                    quoted(cursor.peek()) + " may only be declared at file scope; use the resource by its name");
     type.range.begin = cursor.at;
     const Token& word = cursor.expect_identifier("a type");
     type.name = word.text;
@@ -265,12 +289,19 @@ void parse_constant_buffer(ParseCursor& cursor) {
 
 void parse_function_or_globals(ParseCursor& cursor) {
     const std::size_t begin = cursor.at;
+    std::optional<ThreadGroup> threads;
     while (cursor.is("[")) {
         if (cursor.peek(1).is("["))
             cursor.fail("PG022", cursor.peek().at,
                         "remove the [[...]] attribute; permgen gives out locations, bindings and constant ids itself");
-        cursor.skip_brackets();
+        if (!begins_numthreads(cursor)) {
+            cursor.skip_brackets();
+            continue;
+        }
+        if (threads) cursor.fail("PG029", cursor.peek(1).at, "[numthreads] is given twice; remove one");
+        threads = parse_numthreads(cursor);
     }
+    const Location qualifiers_at = cursor.peek().at;
     const Qualifiers qualifiers = parse_qualifiers(cursor);
     if (!cursor.peek().is_identifier())
         cursor.fail("PG020", cursor.peek().at, "expected a declaration, not " + quoted(cursor.peek()));
@@ -286,6 +317,8 @@ void parse_function_or_globals(ParseCursor& cursor) {
         function.name = name.text;
         function.result = type;
         function.at = name.at;
+        function.threads = std::move(threads);
+        check_not_groupshared(cursor, qualifiers, qualifiers_at);
         function.range.begin = begin;
         return parse_function(cursor, std::move(function));
     }
@@ -293,6 +326,10 @@ void parse_function_or_globals(ParseCursor& cursor) {
         cursor.fail("PG020", type.at,
                     "'" + std::string(type.name) + " " + std::string(name.text) +
                         "' is not a declaration that may have a '{'" + hint);
+    if (threads)
+        cursor.fail("PG029", threads->at, "[numthreads] belongs in front of a function; move it there or remove it");
+    if (qualifiers.groupshared && (qualifiers.is_static || qualifiers.is_const))
+        cursor.fail("PG022", qualifiers_at, "a groupshared variable is neither static nor const; write one word only");
     const std::size_t first = cursor.effect.globals.size();
     Variable variable;
     variable.type = type;
@@ -305,6 +342,11 @@ void parse_function_or_globals(ParseCursor& cursor) {
             cursor.fail("PG022", variable.at, "'" + std::string(variable.name) + "' cannot be void");
         variable.range.begin = begin;
         parse_declarator(cursor, variable, ",;");
+        if (qualifiers.groupshared && !variable.initializer.empty())
+            cursor.fail("PG022", variable.at,
+                        "groupshared '" + std::string(variable.name) +
+                            "' cannot have an initial value; let one thread set it, then wait with "
+                            "GroupMemoryBarrierWithGroupSync()");
         declared.push_back(variable);
         if (!cursor.take_if(",")) break;
         const Token& next = cursor.expect_identifier("a name behind ','");

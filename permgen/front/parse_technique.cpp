@@ -14,30 +14,33 @@
 namespace permgen {
 namespace {
 
+using d3d9::StageWords;
+
 std::string upper(std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return text;
 }
 
-void check_profile(ParseCursor& cursor, const Token& word, bool vertex, const std::string& state) {
-    const std::span<const std::string_view> profiles =
-        vertex ? std::span<const std::string_view>(d3d9::vertex_profiles) : d3d9::pixel_profiles;
-    if (std::any_of(profiles.begin(), profiles.end(), [&](auto profile) { return same_word(profile, word.text); }))
-        return;
-    // The other stage's profile has similar letters, but is never the intended one.
-    const std::string_view stage = vertex ? "vs_" : "ps_";
-    const bool other_stage = same_word(word.text.substr(0, 3), vertex ? "ps_" : "vs_");
+void check_profile(ParseCursor& cursor, const Token& word, const StageWords& words) {
+    const auto named = [&](std::string_view profile) { return same_word(profile, word.text); };
+    if (std::any_of(words.profiles.begin(), words.profiles.end(), named)) return;
+    // Another stage's profile has similar letters, but is never the intended one.
+    const bool other_stage =
+        std::any_of(std::begin(d3d9::stages), std::end(d3d9::stages), [&](const StageWords& other) {
+            return other.stage != words.stage && same_word(word.text.substr(0, other.prefix.size()), other.prefix);
+        });
     cursor.fail("PG024", word.at,
-                quoted(word) + " is not a profile for a " + state +
-                    (other_stage ? "; write " + std::string(stage) + "3_0"
-                                 : suggestion(word.text, profiles, "; did you mean '", "'?")));
+                quoted(word) + " is not a profile for a " + std::string(words.state) +
+                    (other_stage ? "; write " + std::string(words.usual)
+                                 : suggestion(word.text, words.profiles, "; did you mean '", "'?")));
 }
 
-Compile parse_compile(ParseCursor& cursor, std::string_view stage, const std::string& state) {
+Compile parse_compile(ParseCursor& cursor, const StageWords& words) {
     Compile compile;
     compile.at = cursor.take().at;
-    const Token& profile = cursor.expect_identifier("a profile such as " + std::string(stage) + "3_0 behind 'compile'");
-    check_profile(cursor, profile, stage == "vs_", state);
+    const Token& profile =
+        cursor.expect_identifier("a profile such as " + std::string(words.usual) + " behind 'compile'");
+    check_profile(cursor, profile, words);
     compile.profile = profile.text;
     const Token& entry = cursor.expect_identifier("the entry point's name behind the profile");
     compile.entry = entry.text;
@@ -93,12 +96,17 @@ void finish_state(ParseCursor& cursor, StateAssignment& state) {
     state.range.end = cursor.at;
 }
 
-void parse_shader_state(ParseCursor& cursor, ParsedPass& pass, bool vertex, const std::string& name, Location at) {
-    std::optional<Compile>& shader = vertex ? pass.vertex : pass.pixel;
+std::optional<Compile>& shader_of(ParsedPass& pass, Stage stage) {
+    return stage == Stage::Vertex ? pass.vertex : stage == Stage::Pixel ? pass.pixel : pass.compute;
+}
+
+void parse_shader_state(ParseCursor& cursor, ParsedPass& pass, const StageWords& words, Location at) {
+    const std::string name(words.state);
+    std::optional<Compile>& shader = shader_of(pass, words.stage);
     if (shader) cursor.fail("PG025", at, "pass '" + pass.name + "' sets " + name + " twice");
     const Token& word = cursor.peek();
     if (same_word(word.text, "compile")) {
-        shader = parse_compile(cursor, vertex ? "vs_" : "ps_", name);
+        shader = parse_compile(cursor, words);
         cursor.expect(";", "after the " + name + " of pass '" + pass.name + "'");
         return;
     }
@@ -109,10 +117,28 @@ void parse_shader_state(ParseCursor& cursor, ParsedPass& pass, bool vertex, cons
     }
     if (same_word(word.text, "asm") || same_word(word.text, "asm_fragment") || same_word(word.text, "compile_fragment"))
         cursor.fail("PG026", word.at, quoted(word) + " is not supported; write the shader in HLSL and `compile` it");
-    static constexpr std::string_view words[] = {"compile"};
+    static constexpr std::string_view compile[] = {"compile"};
     cursor.fail("PG026", word.at,
                 name + " needs 'compile PROFILE ENTRY(ARGUMENTS)', not " + quoted(word) +
-                    suggestion(word.text, words, "; did you mean '", "'?"));
+                    suggestion(word.text, compile, "; did you mean '", "'?"));
+}
+
+/// A pass computes or draws.
+void check_stages(ParseCursor& cursor, const ParsedPass& pass, const std::string& technique) {
+    const std::string where = "pass '" + pass.name + "' of technique '" + technique + "'";
+    if (pass.compute && (pass.vertex || pass.pixel)) {
+        report_error(cursor.diagnostics, "PG028", cursor.sources.place(pass.compute->at),
+                     where + " has a ComputeShader and a " + (pass.vertex ? "VertexShader" : "PixelShader") +
+                         "; a pass either computes or draws; move the ComputeShader into a pass of its own");
+    } else if (!pass.compute && !pass.vertex && !pass.pixel) {
+        report_error(cursor.diagnostics, "PG027", cursor.sources.place(pass.at),
+                     where +
+                         " has no shader, and there is no fixed-function pipeline; add VertexShader = compile ...; "
+                         "and PixelShader = compile ...;");
+    } else if (!pass.compute && !pass.vertex) {
+        report_warning(cursor.diagnostics, "PG027", cursor.sources.place(pass.at),
+                       where + " has no vertex shader; the application must provide one to draw with it");
+    }
 }
 
 ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
@@ -130,13 +156,14 @@ ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
         if (cursor.done()) cursor.fail("PG021", pass.at, where + " has no closing '}'");
         if (cursor.take_if(";")) continue;
         StateAssignment state = begin_state(cursor, where);
-        const bool vertex = same_word(state.name, "VertexShader");
-        if (vertex || same_word(state.name, "PixelShader")) {
-            parse_shader_state(cursor, pass, vertex, vertex ? "VertexShader" : "PixelShader", state.at);
+        const auto shader = std::find_if(std::begin(d3d9::stages), std::end(d3d9::stages),
+                                         [&](const StageWords& words) { return same_word(state.name, words.state); });
+        if (shader != std::end(d3d9::stages)) {
+            parse_shader_state(cursor, pass, *shader, state.at);
             continue;
         }
         if (same_word(cursor.peek().text, "compile")) {
-            static constexpr std::string_view words[] = {"VertexShader", "PixelShader"};
+            static constexpr std::string_view words[] = {"VertexShader", "PixelShader", "ComputeShader"};
             cursor.fail(
                 "PG026", state.at,
                 "'" + state.name + "' takes no shader" + suggestion(state.name, words, "; did you mean '", "'?"));
@@ -145,15 +172,7 @@ ParsedPass parse_pass(ParseCursor& cursor, const ParsedTechnique& technique) {
         pass.states.push_back(std::move(state));
     }
     cursor.take();
-    if (!pass.vertex && !pass.pixel)
-        report_error(cursor.diagnostics, "PG027", cursor.sources.place(pass.at),
-                     where + " of technique '" + technique.name +
-                         "' has no shader, and there is no fixed-function pipeline; add VertexShader = compile ...; "
-                         "and PixelShader = compile ...;");
-    else if (!pass.vertex)
-        report_warning(cursor.diagnostics, "PG027", cursor.sources.place(pass.at),
-                       where + " of technique '" + technique.name +
-                           "' has no vertex shader; the application must provide one to draw with it");
+    check_stages(cursor, pass, technique.name);
     return pass;
 }
 

@@ -164,7 +164,8 @@ private:
     // In an argument that is not a literal, every word must be a global or a type; a lone global must also fit.
     bool check_names(std::span<const Token> tokens, const Variable& parameter, const std::optional<NumericType>& type) {
         std::vector<std::string_view> globals;
-        for (const Variable& global : effect_.globals) globals.push_back(global.name);
+        for (const Variable& global : effect_.globals)
+            if (!global.qualifiers.groupshared) globals.push_back(global.name);
         for (const Sampler& sampler : effect_.samplers) globals.push_back(sampler.name);
         for (const ConstantBuffer& buffer : effect_.constant_buffers)
             for (const Variable& member : buffer.members) globals.push_back(member.name);

@@ -29,14 +29,26 @@ std::string semantic_text(const Semantic& semantic) {
 }
 
 const char* side(const Flattening& f) {
-    static constexpr const char* names[2][2] = {{"a vertex shader's input", "a vertex shader's output"},
-                                                {"a pixel shader's input", "a pixel shader's output"}};
-    return names[f.stage == Stage::Pixel][f.direction == Direction::Out];
+    static constexpr const char* names[3][2] = {{"a vertex shader's input", "a vertex shader's output"},
+                                                {"a pixel shader's input", "a pixel shader's output"},
+                                                {"a compute shader's input", "a compute shader's output"}};
+    return names[static_cast<int>(f.stage)][f.direction == Direction::Out];
 }
 
 bool is(const InterfaceSlot& slot, std::string_view name, std::string_view system_value) {
     return (slot.semantic.name == name && slot.semantic.index == 0) || slot.semantic.name == system_value;
 }
+
+struct ComputeInput {
+    std::string_view semantic;
+    const char* system_value;
+    unsigned components;
+};
+constexpr std::array<ComputeInput, 4> compute_inputs = {{{"SV_DISPATCHTHREADID", "SV_DispatchThreadID", 3},
+                                                         {"SV_GROUPTHREADID", "SV_GroupThreadID", 3},
+                                                         {"SV_GROUPID", "SV_GroupID", 3},
+                                                         {"SV_GROUPINDEX", "SV_GroupIndex", 1}}};
+constexpr const char* compute_input_names = "SV_DispatchThreadID, SV_GroupThreadID, SV_GroupID or SV_GroupIndex";
 
 // Sets the slot's system value if its semantic is one. False: the semantic is not allowed on this side.
 bool resolve_system_value(const Flattening& f, InterfaceSlot& slot) {
@@ -49,6 +61,12 @@ bool resolve_system_value(const Flattening& f, InterfaceSlot& slot) {
         if (slot.conversion == Conversion::Cast || scalar != slot.author_scalar) slot.conversion = Conversion::Cast;
         return true;
     };
+    if (f.stage == Stage::Compute) {
+        for (const ComputeInput& input : compute_inputs)
+            if (f.direction == Direction::In && slot.semantic.name == input.semantic && slot.semantic.index == 0)
+                return becomes(input.system_value, ScalarType::Uint, input.components);
+        return false;
+    }
     if (f.stage == Stage::Vertex && f.direction == Direction::In) {
         if (slot.semantic.name == "SV_VERTEXID") return becomes("SV_VertexID", ScalarType::Uint, 1);
         if (slot.semantic.name == "SV_INSTANCEID") return becomes("SV_InstanceID", ScalarType::Uint, 1);
@@ -93,8 +111,15 @@ void add_slot(const Flattening& f, const Variable& leaf, InterfaceSlot slot) {
         slot.scalar = ScalarType::Uint;
         slot.conversion = Conversion::Cast;
     }
-    if (!resolve_system_value(f, slot))
-        return f.error("PG035", slot.semantic.at, "'" + semantic_text(slot.semantic) + "' cannot be " + side(f));
+    if (!resolve_system_value(f, slot)) {
+        std::string message = "'" + semantic_text(slot.semantic) + "' cannot be " + side(f);
+        if (f.stage == Stage::Compute) message.append("; a compute shader reads ").append(compute_input_names);
+        return f.error("PG035", slot.semantic.at, message);
+    }
+    if (f.stage == Stage::Compute && slot.author_scalar != ScalarType::Uint && slot.author_scalar != ScalarType::Int)
+        return f.error("PG037", leaf.at,
+                       "'" + std::string(leaf.name) + "' must be a " + spelling(slot.scalar, slot.components) +
+                           " to be " + semantic_text(slot.semantic) + " of " + side(f));
     const bool wrong_width =
         slot.system_value == "SV_Position" && f.direction == Direction::Out && slot.author_components != 4;
     if (wrong_width || (slot.components < slot.author_components && !slot.system_value.empty()))
@@ -115,9 +140,9 @@ void add_slot(const Flattening& f, const Variable& leaf, InterfaceSlot slot) {
 
 void flatten_numeric(const Flattening& f, const Variable& leaf, const NumericType& type, const std::string& path) {
     if (!leaf.semantic.present())
-        return f.error(
-            "PG034", leaf.at,
-            "'" + std::string(leaf.name) + "' is " + side(f) + " without a semantic; add one, such as ': TEXCOORD0'");
+        return f.error("PG034", leaf.at,
+                       "'" + std::string(leaf.name) + "' is " + side(f) + " without a semantic; add one, such as ': " +
+                           (f.stage == Stage::Compute ? "SV_DispatchThreadID" : "TEXCOORD0") + "'");
     std::int64_t elements = 1;
     if (!leaf.dimensions.empty()) {
         const auto size = leaf.dimensions.size() == 1 ? array_size(f.effect, leaf.dimensions[0]) : std::nullopt;

@@ -5,6 +5,7 @@
 
 #include "front/parse_technique.h"
 #include "front/report.h"
+#include "lower/calls.h"
 
 namespace permgen {
 namespace {
@@ -32,39 +33,6 @@ ImageDimension of_texture_function(std::string_view name) {
         if (rest.empty() || rest == "lod" || rest == "bias" || rest == "grad" || rest == "proj") return entry.dimension;
     }
     return ImageDimension::None;
-}
-
-// A call in a function's body, with those arguments that are plain names.
-struct Call {
-    std::size_t caller;
-    std::size_t name_token;
-    std::vector<std::size_t> arguments;  ///< token of each argument that is a single name, else 0
-};
-
-std::vector<Call> find_calls(const ParsedEffect& effect) {
-    std::vector<Call> calls;
-    for (std::size_t f = 0; f < effect.functions.size(); ++f) {
-        const TokenRange body = effect.functions[f].body;
-        for (std::size_t i = body.begin; i + 1 < body.end; ++i) {
-            if (!effect.tokens[i].is_identifier() || !effect.tokens[i + 1].is("(")) continue;
-            Call call{f, i, {}};
-            std::size_t first = i + 2;
-            int depth = 0;
-            for (std::size_t k = first; k < body.end; ++k) {
-                const Token& token = effect.tokens[k];
-                const bool ends = depth == 0 && (token.is(",") || token.is(")"));
-                if (ends) {
-                    const bool plain = k == first + 1 && effect.tokens[first].is_identifier();
-                    call.arguments.push_back(plain ? first : 0);
-                    first = k + 1;
-                }
-                if (token.is("(") || token.is("[")) ++depth;
-                if ((token.is(")") || token.is("]")) && --depth < 0) break;
-            }
-            calls.push_back(std::move(call));
-        }
-    }
-    return calls;
 }
 
 class Inference {
@@ -116,8 +84,9 @@ private:
 
     // The call's argument is a sampler of `dimension`.
     bool learn(const Call& call, std::size_t argument, ImageDimension dimension) {
-        const std::size_t token = call.arguments[argument];
-        if (token == 0) return false;
+        const TokenRange range = call.arguments[argument];
+        if (range.size() != 1 || !effect_.tokens[range.begin].is_identifier()) return false;
+        const std::size_t token = range.begin;
         const std::string_view name = effect_.tokens[token].text;
         ImageDimension* known = nullptr;
         const std::vector<Variable>& parameters = effect_.functions[call.caller].parameters;

@@ -5,7 +5,9 @@
 #include <set>
 
 #include "common/names.h"
+#include "d3d9/storage_types.h"
 #include "front/report.h"
+#include "lower/check_storage.h"
 
 namespace permgen {
 namespace {
@@ -28,7 +30,7 @@ void end_line(LoweredText& text) {
 std::string replacement(const Token& token, const Token& next) {
     if (!token.is_identifier()) return std::string(token.text);
     if (token.is("DWORD")) return "uint";
-    if (token.is("precise") && next.is_identifier()) return "precise";
+    if ((token.is("precise") || token.is("groupshared")) && next.is_identifier()) return std::string(token.text);
     return hlsl_name(token.text);
 }
 
@@ -74,7 +76,9 @@ private:
     // Globals that the application sets. `const` with an initializer means a constant to every author, although
     // D3D9 would let the application change it.
     bool is_loose(const Item& item) const {
-        if (item.kind != ItemKind::Globals || effect_.globals[item.index].qualifiers.is_static) return false;
+        if (item.kind != ItemKind::Globals) return false;
+        const Qualifiers& qualifiers = effect_.globals[item.index].qualifiers;
+        if (qualifiers.is_static || qualifiers.groupshared) return false;
         return !is_constant(item);
     }
 
@@ -99,6 +103,12 @@ private:
         }
         for (const ConstantBuffer& buffer : effect_.constant_buffers)
             add_resource(buffer.name, ResourceKind::UniformBuffer, ImageDimension::None, binding++, buffer.at);
+        for (const StorageResource& storage : effect_.storages) {
+            const d3d9::StorageType& type = *d3d9::find_storage_type(storage.type);
+            add_resource(storage.name, type.kind, type.dimension, binding++, storage.at);
+            resources_.back().format = texel_format(effect_, storage);
+            resources_.back().writable = type.writable;
+        }
     }
 
     void add_resource(std::string_view name, ResourceKind kind, ImageDimension dimension, std::uint32_t binding,
@@ -118,6 +128,13 @@ private:
                 return "[[vk::binding(" + std::to_string(candidate.binding) + ", " + std::to_string(candidate.set) +
                        ")]] ";
         return {};
+    }
+
+    // glslang has its own words for DXC's attribute.
+    static std::string format_attribute(const StorageResource& storage) {
+        if (!storage.format) return {};
+        const std::string_view name = storage.format->name;
+        return "[[spv::format_" + std::string(name == "r11g11b10f" ? "r11fg11fb10f" : name) + "]] ";
     }
 
     void write_globals() {
@@ -177,6 +194,16 @@ private:
             const ImageDimension dimension = dimensions_.samplers[item.index];
             add_line(text_, attribute(sampler.name) + sampler_type(dimension) + ' ' + hlsl_name(sampler.name) + ';',
                      sources_.place(sampler.at));
+            return;
+        }
+        if (item.kind == ItemKind::Storage) {
+            const StorageResource& storage = effect_.storages[item.index];
+            const std::string element =
+                storage.element.range.empty() ? "" : '<' + hlsl_text(effect_, storage.element.range) + '>';
+            add_line(text_,
+                     attribute(storage.name) + format_attribute(storage) + std::string(storage.type) + element + ' ' +
+                         hlsl_name(storage.name) + ';',
+                     sources_.place(storage.at));
             return;
         }
         if (item.kind == ItemKind::ConstantBuffer) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <set>
 
@@ -165,21 +166,44 @@ std::vector<LoweredAttribute> attributes(Stage stage, Direction direction, const
     return result;
 }
 
+void refuse_outputs(const Sources& sources, const Function& function, Diagnostics& diagnostics) {
+    const std::string remedy = "; write into a RW resource, such as a RWTexture2D, instead";
+    if (!is_void(function.result))
+        report_error(diagnostics, "PG035", sources.place(function.at),
+                     "compute shader '" + std::string(function.name) + "' returns a value; make it void" + remedy);
+    for (const Variable& parameter : function.parameters)
+        if (parameter.qualifiers.out)
+            report_error(diagnostics, "PG035", sources.place(parameter.at),
+                         "'" + std::string(parameter.name) + "' cannot be a compute shader's output" + remedy);
+}
+
+/// Vulkan allows groupshared variables in compute modules only. The entry point cannot reach one (PG048), but the text
+/// that all modules share has functions that do.
+void make_groupshared_private(std::string& hlsl) {
+    constexpr std::string_view word = "groupshared", other = "static";
+    const auto in_a_name = [&](std::size_t at) {
+        return at < hlsl.size() && (std::isalnum(static_cast<unsigned char>(hlsl[at])) != 0 || hlsl[at] == '_');
+    };
+    for (std::size_t at = hlsl.find(word); at != std::string::npos; at = hlsl.find(word, at + 1))
+        if (!in_a_name(at + word.size()) && (at == 0 || !in_a_name(at - 1))) hlsl.replace(at, word.size(), other);
+}
+
 }  // namespace
 
 void find_interface(const ParsedEffect& effect, const Sources& sources, EntryPoint& entry, Diagnostics& diagnostics) {
     const Function& function = *entry.bound.function;
+    if (entry.stage == Stage::Compute) refuse_outputs(sources, function, diagnostics);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const Variable& parameter = function.parameters[i];
         if (is_uniform_parameter(parameter)) continue;
         if (reads(parameter))
             flatten(effect, sources, parameter, argument_name(i), entry.stage, Direction::In, entry.inputs,
                     diagnostics);
-        if (parameter.qualifiers.out)
+        if (parameter.qualifiers.out && entry.stage != Stage::Compute)
             flatten(effect, sources, parameter, argument_name(i), entry.stage, Direction::Out, entry.outputs,
                     diagnostics);
     }
-    if (!is_void(function.result)) {
+    if (!is_void(function.result) && entry.stage != Stage::Compute) {
         Variable result;
         result.type = function.result;
         result.name = function.name;
@@ -205,10 +229,12 @@ LoweredModule make_module(const ParsedEffect& effect, const Sources& sources, co
     module.stage = entry.stage;
     module.profile = entry.profile;
     module.place = sources.place(function.at);
+    module.group_size = entry.group_size;
     module.inputs = attributes(entry.stage, Direction::In, locations, entry.inputs);
     module.outputs = attributes(entry.stage, Direction::Out, locations, entry.outputs);
 
     LoweredText& text = author;
+    if (entry.stage != Stage::Compute) make_groupshared_private(text.hlsl);
     for (const BoundParameter& bound : entry.bound.uniforms) {
         if (!bound.is_axis) continue;
         LoweredAxis axis;
@@ -231,6 +257,9 @@ LoweredModule make_module(const ParsedEffect& effect, const Sources& sources, co
     if (has_inputs) declare_structure(text, "permgen_Inputs", entry.stage, Direction::In, locations, entry.inputs);
     if (has_outputs) declare_structure(text, "permgen_Outputs", entry.stage, Direction::Out, locations, entry.outputs);
 
+    if (entry.stage == Stage::Compute)
+        add_line(text, "[numthreads(" + std::to_string(entry.group_size[0]) + ", " +
+                           std::to_string(entry.group_size[1]) + ", " + std::to_string(entry.group_size[2]) + ")]");
     add_line(text, std::string(has_outputs ? "permgen_Outputs " : "void ") + module.entry + '(' +
                        (has_inputs ? "permgen_Inputs permgen_in" : "") + ") {");
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {

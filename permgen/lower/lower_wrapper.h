@@ -2,6 +2,8 @@
 // function.
 #pragma once
 
+#include <array>
+
 #include "lower/lower_arguments.h"
 #include "lower/lower_interface.h"
 #include "lower/lower_text.h"
@@ -16,6 +18,7 @@ struct EntryPoint {
     BoundEntry bound;
     std::vector<InterfaceSlot> inputs;
     std::vector<InterfaceSlot> outputs;
+    std::array<std::uint32_t, 3> group_size{};  ///< of a compute shader
 };
 
 /// Fills in the registers.

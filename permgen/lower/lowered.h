@@ -5,6 +5,7 @@
 
 #include <permgen/tables.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -51,6 +52,8 @@ struct LoweredResource {
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::vector<LoweredState> sampler_states;
+    ImageFormat format = ImageFormat::None;
+    bool writable = false;
     SourceLocation place;
 };
 
@@ -60,7 +63,8 @@ struct LoweredModule {
     std::string entry;         ///< the generated wrapper's name: the SPIR-V's entry point
     std::string author_entry;  ///< "ps_main"
     Stage stage;
-    std::string profile;  ///< "ps_3_0", as written
+    std::array<std::uint32_t, 3> group_size{};  ///< of a compute shader
+    std::string profile;                        ///< "ps_3_0", as written
     std::string hlsl;
     std::vector<SourceLocation> line_map;  ///< the author's place of each line of `hlsl`; an empty file means a
                                            ///< generated line
@@ -87,6 +91,7 @@ struct LoweredPass {
     std::string name;
     LoweredShader vertex;
     LoweredShader pixel;
+    LoweredShader compute;
     std::vector<LoweredState> states;
     SourceLocation place;
 };

@@ -41,4 +41,9 @@ std::uint32_t JsonNode::number() const {
     return json_->get<std::uint32_t>();
 }
 
+bool JsonNode::truth() const {
+    if (!json_->is_boolean()) fail("true or false was expected, and this is " + json_->dump());
+    return json_->get<bool>();
+}
+
 }  // namespace permgen

@@ -27,16 +27,17 @@ public:
     std::vector<JsonNode> items() const;
     std::string text() const;
     std::uint32_t number() const;
+    bool truth() const;
 
     bool has(std::string_view field) const;
     bool is_null() const { return json_->is_null(); }
 
     /// The value of a text that must be one of `words`.
-    template <class Value, std::size_t N>
-    Value word(const NamedValue<Value> (&words)[N]) const {
+    template <class Words>
+    auto word(const Words& words) const {
         const std::string written = text();
         std::string known;
-        for (const NamedValue<Value>& candidate : words) {
+        for (const auto& candidate : words) {
             if (candidate.name == written) return candidate.value;
             known += (known.empty() ? "" : ", ") + std::string(candidate.name);
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "d3d9/image_formats.h"
 #include "d3d9/states.h"
 #include "fault.h"
 #include "json_node.h"
@@ -17,9 +18,18 @@ constexpr std::string_view manifest_ending = ".fx.json";
 
 constexpr NamedValue<ScalarType> scalars[] = {
     {"bool", ScalarType::Bool}, {"int", ScalarType::Int}, {"uint", ScalarType::Uint}, {"float", ScalarType::Float}};
-constexpr NamedValue<Stage> stages[] = {{"vertex", Stage::Vertex}, {"pixel", Stage::Pixel}};
+constexpr NamedValue<Stage> stages[] = {
+    {"vertex", Stage::Vertex}, {"pixel", Stage::Pixel}, {"compute", Stage::Compute}};
 constexpr NamedValue<ResourceKind> kinds[] = {{"uniform-buffer", ResourceKind::UniformBuffer},
-                                              {"combined-image-sampler", ResourceKind::CombinedImageSampler}};
+                                              {"combined-image-sampler", ResourceKind::CombinedImageSampler},
+                                              {"storage-image", ResourceKind::StorageImage},
+                                              {"storage-buffer", ResourceKind::StorageBuffer}};
+constexpr auto formats = [] {
+    std::array<NamedValue<ImageFormat>, std::size(d3d9::image_formats)> values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = {d3d9::image_formats[i].name, d3d9::image_formats[i].format};
+    return values;
+}();
 constexpr NamedValue<ValueKind> value_kinds[] = {
     {"bool", ValueKind::Bool},       {"enum", ValueKind::Enum},
     {"integer", ValueKind::Integer}, {"float", ValueKind::Float},
@@ -44,6 +54,7 @@ private:
     State state(const JsonNode& node);
     Constant constant(const JsonNode& node);
     Module module(const JsonNode& node);
+    std::array<std::uint32_t, 3> group_size(const JsonNode& node, Stage stage);
     Resource resource(const JsonNode& node);
     Member member(const JsonNode& node);
     Shader shader(const JsonNode& node, Stage stage);
@@ -119,7 +130,28 @@ Module Loader::module(const JsonNode& node) {
             node["stage"].word(stages),
             code(node["file"]),
             storage_.keep(std::move(axes)),
-            storage_.keep(std::move(attributes))};
+            storage_.keep(std::move(attributes)),
+            group_size(node, node["stage"].word(stages))};
+}
+
+std::array<std::uint32_t, 3> Loader::group_size(const JsonNode& node, Stage stage) {
+    std::array<std::uint32_t, 3> size{};
+    if (stage != Stage::Compute) {
+        if (node.has("group_size")) node["group_size"].fail("only a compute module has a thread group");
+        return size;
+    }
+    constexpr std::uint64_t most_threads = 1024;  // of a group, in any profile
+    const std::vector<JsonNode> items = node["group_size"].items();
+    if (items.size() != size.size())
+        node["group_size"].fail("a thread group has three sizes, and these are " + std::to_string(items.size()));
+    std::uint64_t threads = 1;
+    for (std::size_t axis = 0; axis < size.size(); ++axis) {
+        size[axis] = items[axis].number();
+        if (size[axis] < 1 || size[axis] > most_threads) items[axis].fail("a size of a thread group is 1 to 1024");
+        threads *= size[axis];
+    }
+    if (threads > most_threads) node["group_size"].fail("a thread group has 1024 threads at most");
+    return size;
 }
 
 Resource Loader::resource(const JsonNode& node) {
@@ -130,20 +162,22 @@ Resource Loader::resource(const JsonNode& node) {
                       node["binding"].number(),
                       0,
                       {}};
-    if (resource.kind == ResourceKind::UniformBuffer) {
+    const bool is_storage = resource.kind == ResourceKind::StorageImage || resource.kind == ResourceKind::StorageBuffer;
+    if (resource.kind == ResourceKind::UniformBuffer || resource.kind == ResourceKind::StorageBuffer)
         resource.size = node["size"].number();
-    } else {
+    else
         resource.dimension = node["dimension"].word(dimensions);
-        resource.sampler_states = states(node["sampler_states"]);
-    }
+    if (resource.kind == ResourceKind::CombinedImageSampler) resource.sampler_states = states(node["sampler_states"]);
+    if (resource.kind == ResourceKind::StorageImage) resource.format = node["format"].word(formats);
+    if (is_storage) resource.writable = node["writable"].truth();
     return resource;
 }
 
 Member Loader::member(const JsonNode& node) {
     const Member member{text(node["block"]), text(node["name"]), node["offset"].number(), node["size"].number()};
     const Resource* block = find_resource(storage_.effect, member.block);
-    if (!block || block->kind != ResourceKind::UniformBuffer)
-        node["block"].fail("there is no uniform block '" + std::string(member.block) + "'");
+    if (!block || (block->kind != ResourceKind::UniformBuffer && block->kind != ResourceKind::StorageBuffer))
+        node["block"].fail("there is no uniform block or storage buffer '" + std::string(member.block) + "'");
     if (std::uint64_t{member.offset} + member.size > block->size)
         node.fail("the member ends beyond its block's " + std::to_string(block->size) + " bytes");
     return member;
@@ -154,7 +188,7 @@ Shader Loader::shader(const JsonNode& node, Stage stage) {
     const std::string name = node["module"].text();
     const auto found = std::find_if(modules_.begin(), modules_.end(), [&](const Module& m) { return m.name == name; });
     if (found == modules_.end()) node["module"].fail("there is no module '" + name + "'");
-    if (found->stage != stage) node["module"].fail("the module '" + name + "' is of the other stage");
+    if (found->stage != stage) node["module"].fail("the module '" + name + "' is of another stage");
     Shader shader{&*found, table(node["constants"], &Loader::constant), {}};
     const auto same = [](const Constant& a, const Constant& b) {
         return a.name == b.name && a.id == b.id && a.type == b.type;
@@ -171,8 +205,16 @@ Pass Loader::pass(const JsonNode& node) {
         live.push_back(find_resource(storage_.effect, item.text()));
         if (!live.back()) item.fail("there is no resource '" + item.text() + "'");
     }
-    return {text(node["name"]), shader(node["vertex"], Stage::Vertex), shader(node["pixel"], Stage::Pixel),
-            storage_.keep(std::move(live)), states(node["states"])};
+    Pass pass{text(node["name"]),
+              shader(node["vertex"], Stage::Vertex),
+              shader(node["pixel"], Stage::Pixel),
+              storage_.keep(std::move(live)),
+              states(node["states"]),
+              {}};
+    if (node.has("compute")) pass.compute = shader(node["compute"], Stage::Compute);  // absent before there were any
+    if (pass.compute.module && (pass.vertex.module || pass.pixel.module))
+        node["compute"].fail("a pass either computes or draws");
+    return pass;
 }
 
 Technique Loader::technique(const JsonNode& node) {

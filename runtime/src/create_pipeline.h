@@ -1,4 +1,4 @@
-// Creates one VkPipeline.
+// Creates one VkPipeline, which draws or computes.
 #pragma once
 
 #include <tyndall/pass_pipelines.h>
@@ -14,5 +14,9 @@ namespace tyndall {
 /// Errors: see PassPipelines::get().
 Result<VkPipeline> createPipeline(const Gpu& gpu, const PassLayout& layout, Shaders shaders, const PassTarget& target,
                                   std::span<const VkVertexInputAttributeDescription> attributes);
+
+/// Computes `layout`'s pass. Thread-safe under the same condition.
+/// Errors: see PassPipelines::get().
+Result<VkPipeline> createComputePipeline(const Gpu& gpu, const PassLayout& layout, Shaders shaders);
 
 }  // namespace tyndall

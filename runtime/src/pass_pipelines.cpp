@@ -26,7 +26,23 @@ struct PassPipelines::Impl {
 
 namespace {
 
+Result<VkDescriptorBufferInfo> zeros(PassPipelines::Impl& impl, std::uint32_t size) {
+    // Offsets of storage buffers have a stricter alignment: 256 is the most that a device may ask for (Vulkan 1.3,
+    // table 52).
+    constexpr VkDeviceSize alignment = 256;
+    const auto range = place(impl.zeros, std::vector<std::byte>(size + alignment));
+    if (!range) return tl::unexpected(range.error());
+    return VkDescriptorBufferInfo{range->buffer, (range->offset + alignment - 1) / alignment * alignment, size};
+}
+
 Result<void> makeStandIn(PassPipelines::Impl& impl, const permgen::Resource& resource) {
+    if (resource.kind == permgen::ResourceKind::StorageImage) {
+        const auto texture =
+            neutralStorage(impl.gpu, impl.textures, resource.format, resource.dimension, impl.texturesCreated);
+        if (!texture) return tl::unexpected(texture.error());
+        impl.standIns.storageImages[{resource.format, resource.dimension}] = (*texture)->view;
+        return {};
+    }
     if (resource.kind == permgen::ResourceKind::CombinedImageSampler) {
         VkImageView& view = impl.standIns.images[static_cast<std::size_t>(resource.dimension)];
         if (view) return {};
@@ -36,11 +52,22 @@ Result<void> makeStandIn(PassPipelines::Impl& impl, const permgen::Resource& res
         view = (*texture)->view;
         return {};
     }
-    if (impl.standIns.buffer.range >= resource.size) return {};
-    const auto range = place(impl.zeros, std::vector<std::byte>(resource.size));
+    VkDescriptorBufferInfo& standIn =
+        resource.kind == permgen::ResourceKind::StorageBuffer ? impl.standIns.storageBuffer : impl.standIns.buffer;
+    if (standIn.range >= resource.size) return {};
+    const auto range = zeros(impl, resource.size);
     if (!range) return tl::unexpected(range.error());
-    impl.standIns.buffer = {range->buffer, range->offset, resource.size};
+    standIn = *range;
     return {};
+}
+
+/// Makes what `pipeline` binds and does not read.
+Result<PassPipeline> withStandIns(PassPipelines::Impl& impl, const permgen::Pass& pass, Result<PassPipeline> pipeline) {
+    if (!pipeline) return pipeline;
+    for (const permgen::Resource* resource : pipeline->layout->bound)
+        if (!permgen::is_live(pass, resource->name))
+            if (auto made = makeStandIn(impl, *resource); !made) return tl::unexpected(made.error());
+    return pipeline;
 }
 
 }  // namespace
@@ -66,13 +93,16 @@ Result<PassPipelines> PassPipelines::create(const DeviceContext& context, const 
 Result<PassPipeline> PassPipelines::get(const permgen::Pass& pass, const PassTarget& target,
                                         std::span<const VertexElement> elements) {
     Impl& impl = *impl_;
-    const auto pipeline = pipelineFor(impl.gpu, impl.store, {impl.effect, &pass, impl.gpu.shaders, target, elements},
-                                      impl.pipelinesCreated);
-    if (!pipeline) return pipeline;
-    for (const permgen::Resource* resource : pipeline->layout->bound)
-        if (!permgen::is_live(pass, resource->name))
-            if (auto made = makeStandIn(impl, *resource); !made) return tl::unexpected(made.error());
-    return pipeline;
+    return withStandIns(impl, pass,
+                        pipelineFor(impl.gpu, impl.store, {impl.effect, &pass, impl.gpu.shaders, target, elements},
+                                    impl.pipelinesCreated));
+}
+
+Result<PassPipeline> PassPipelines::get(const permgen::Pass& pass) {
+    Impl& impl = *impl_;
+    return withStandIns(
+        impl, pass,
+        computePipelineFor(impl.gpu, impl.store, *impl.effect, pass, impl.gpu.shaders, impl.pipelinesCreated));
 }
 
 void PassPipelines::recordNeutralResources(VkCommandBuffer commands) const {

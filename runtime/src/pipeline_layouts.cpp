@@ -8,8 +8,9 @@ namespace tyndall {
 namespace {
 
 VkDescriptorType descriptorType(permgen::ResourceKind kind) {
-    return kind == permgen::ResourceKind::UniformBuffer ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-                                                        : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    constexpr VkDescriptorType types[] = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                          VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    return types[static_cast<std::size_t>(kind)];
 }
 
 Result<void> checkBound(std::span<const permgen::Resource* const> bound, std::string_view name) {
@@ -45,7 +46,8 @@ Result<void> createLayouts(const Gpu& gpu, PassLayout& layout, std::string_view 
         binding.binding = resource->binding;
         binding.descriptorType = descriptorType(resource->kind);
         binding.descriptorCount = 1;
-        binding.stageFlags = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+        binding.stageFlags = layout.pass->compute.module ? VK_SHADER_STAGE_COMPUTE_BIT
+                                                         : VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
         bindings.push_back(binding);
     }
     VkDescriptorSetLayoutCreateInfo setInfo{};
@@ -99,6 +101,11 @@ void destroyLayout(const Gpu& gpu, PassLayout& layout) {
     layout = {};
 }
 
+VkImageView StandIns::storageImage(const permgen::Resource& resource) const {
+    const auto found = storageImages.find({resource.format, resource.dimension});
+    return found == storageImages.end() ? VK_NULL_HANDLE : found->second;
+}
+
 bool binds(const PassLayout& layout, std::string_view resource) {
     return std::any_of(layout.bound.begin(), layout.bound.end(),
                        [&](const permgen::Resource* bound) { return bound->name == resource; });
@@ -118,30 +125,39 @@ Result<std::uint32_t> pushResources(const Gpu& gpu, VkCommandBuffer commands, co
         write.dstBinding = resource->binding;
         write.descriptorCount = 1;
         write.descriptorType = descriptorType(resource->kind);
-        if (resource->kind == permgen::ResourceKind::UniformBuffer) {
+        const bool storage = write.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        if (storage || write.descriptorType == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) {
             VkDescriptorBufferInfo& info = bufferInfos[count];
-            if (dead) info = {standIns.buffer.buffer, standIns.buffer.offset, resource->size};
+            const VkDescriptorBufferInfo& standIn = storage ? standIns.storageBuffer : standIns.buffer;
+            if (dead) info = {standIn.buffer, standIn.offset, resource->size};
             for (const NamedBuffer& buffer : buffers)
                 if (buffer.block == resource->name && buffer.buffer.buffer) info = buffer.buffer;
             if (!info.buffer)
-                return invalidArgument("the uniform block " + std::string(resource->name) + " has no buffer to read");
+                return invalidArgument((storage ? "the storage buffer " : "the uniform block ") +
+                                       std::string(resource->name) + " has no buffer" + (storage ? "" : " to read"));
             write.pBufferInfo = &info;
         } else {
+            const bool written = write.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
             VkDescriptorImageInfo& info = imageInfos[count];
-            if (dead)
+            if (dead && written)
+                info = {VK_NULL_HANDLE, standIns.storageImage(*resource), VK_IMAGE_LAYOUT_GENERAL};
+            else if (dead)
                 info = {VK_NULL_HANDLE, standIns.images[static_cast<std::size_t>(resource->dimension)],
                         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
             for (const NamedImage& image : images)
                 if (image.sampler == resource->name && image.view) info = {VK_NULL_HANDLE, image.view, image.layout};
             if (!info.imageView)
-                return invalidArgument("the sampler " + std::string(resource->name) + " has no image to read");
+                return invalidArgument((written ? "the storage image " : "the sampler ") + std::string(resource->name) +
+                                       " has no image" + (written ? "" : " to read"));
             info.sampler = layout.samplers[count];
             write.pImageInfo = &info;
         }
         ++count;
     }
     if (count > 0)
-        gpu.pushDescriptorSet(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout.pipeline, 0, count, writes.data());
+        gpu.pushDescriptorSet(
+            commands, layout.pass->compute.module ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS,
+            layout.pipeline, 0, count, writes.data());
     return count;
 }
 

@@ -5,6 +5,7 @@
 #include <tyndall/pass_pipelines.h>
 
 #include <array>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -37,8 +38,13 @@ bool binds(const PassLayout& layout, std::string_view resource);
 
 /// The descriptors for resources that a pass binds and does not read, if the caller gives none.
 struct StandIns {
-    VkDescriptorBufferInfo buffer{};      ///< as long as the longest such block
-    std::array<VkImageView, 5> images{};  ///< by permgen::ImageDimension
+    VkDescriptorBufferInfo buffer{};         ///< as long as the longest such block
+    std::array<VkImageView, 5> images{};     ///< by permgen::ImageDimension
+    VkDescriptorBufferInfo storageBuffer{};  ///< as long as the longest element of such a buffer
+    std::map<std::pair<permgen::ImageFormat, permgen::ImageDimension>, VkImageView> storageImages;
+
+    /// Null if there is none for that resource.
+    VkImageView storageImage(const permgen::Resource& resource) const;
 };
 
 /// Pushes those `buffers` and `images` that the layout binds. Returns the number of descriptors.

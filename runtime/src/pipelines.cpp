@@ -55,6 +55,11 @@ std::string passName(const permgen::Effect& effect, const permgen::Pass& pass) {
     return {};
 }
 
+tl::unexpected<Error> foreignPass(const permgen::Effect& effect) {
+    return invalidArgument("the pass is none of the effect " + std::string(effect.name) +
+                           "; give a pass of that effect");
+}
+
 tl::unexpected<Error> within(const std::string& name, Error error) {
     error.message = name + ": " + error.message;
     return tl::unexpected(std::move(error));
@@ -78,22 +83,29 @@ const PassPipeline* find(const PipelineStore& store, const PipelineRequest& requ
 }
 
 /// Makes the pass's layout if the store lacks it.
-Result<Draft> draft(const Gpu& gpu, PipelineStore& store, const PipelineRequest& request) {
-    const permgen::Pass& pass = *request.pass;
-    const std::string name = passName(*request.effect, pass);
-    if (name.empty())
-        return invalidArgument("the pass is none of the effect " + std::string(request.effect->name) +
-                               "; give a pass of that effect");
-    if (!pass.vertex.module) return invalidArgument(name + ": the pass has no vertex shader; give it one");
-    auto attributes = vertexAttributes(gpu, *pass.vertex.module, request.elements);
-    if (!attributes) return within(name, attributes.error());
+Result<const PassLayout*> layoutFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
+                                    const permgen::Pass& pass, Shaders shaders, const std::string& name) {
     auto layout = store.layouts.find(&pass);
     if (layout == store.layouts.end()) {
-        auto made = createLayout(gpu, pass, boundResources(*request.effect, pass, request.shaders), name);
+        auto made = createLayout(gpu, pass, boundResources(effect, pass, shaders), name);
         if (!made) return tl::unexpected(made.error());
         layout = store.layouts.emplace(&pass, std::move(*made)).first;
     }
-    return Draft{&layout->second, request.shaders, request.target, std::move(*attributes), name};
+    return &layout->second;
+}
+
+Result<Draft> draft(const Gpu& gpu, PipelineStore& store, const PipelineRequest& request) {
+    const permgen::Pass& pass = *request.pass;
+    const std::string name = passName(*request.effect, pass);
+    if (name.empty()) return foreignPass(*request.effect);
+    if (pass.compute.module)
+        return invalidArgument(name + ": the pass computes; ask for its pipeline without target and vertices");
+    if (!pass.vertex.module) return invalidArgument(name + ": the pass has no vertex shader; give it one");
+    auto attributes = vertexAttributes(gpu, *pass.vertex.module, request.elements);
+    if (!attributes) return within(name, attributes.error());
+    const auto layout = layoutFor(gpu, store, *request.effect, pass, request.shaders, name);
+    if (!layout) return tl::unexpected(layout.error());
+    return Draft{*layout, request.shaders, request.target, std::move(*attributes), name};
 }
 
 /// Thread-safe, like createPipeline().
@@ -149,6 +161,22 @@ Result<PassPipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const Pip
     return keep(store, std::move(*ready), *handle);
 }
 
+Result<PassPipeline> computePipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
+                                        const permgen::Pass& pass, Shaders shaders, std::uint64_t& created) {
+    if (const auto known = store.computing.find(&pass); known != store.computing.end()) return known->second;
+    const std::string name = passName(effect, pass);
+    if (name.empty()) return foreignPass(effect);
+    if (!pass.compute.module)
+        return invalidArgument(name + ": the pass draws; ask for its pipeline with a target and vertices");
+    const auto layout = layoutFor(gpu, store, effect, pass, shaders, name);
+    if (!layout) return tl::unexpected(layout.error());
+    const auto handle = createComputePipeline(gpu, **layout, shaders);
+    if (!handle) return within(name, handle.error());
+    setName(gpu, VK_OBJECT_TYPE_PIPELINE, *handle, name);
+    ++created;
+    return store.computing.emplace(&pass, PassPipeline{*handle, *layout}).first->second;
+}
+
 Result<void> makePipelines(const Gpu& gpu, PipelineStore& store, std::span<const PipelineRequest> requests,
                            const ParallelFor& parallel, std::uint64_t& created) {
     std::vector<Draft> drafts;
@@ -192,6 +220,7 @@ Result<void> makePipelines(const Gpu& gpu, PipelineStore& store, std::span<const
 void destroyPipelines(const Gpu& gpu, PipelineStore& store) {
     for (auto& [key, entries] : store.pipelines)
         for (const PipelineStore::Entry& entry : entries) vkDestroyPipeline(gpu.device, entry.pipeline.handle, nullptr);
+    for (const auto& [pass, pipeline] : store.computing) vkDestroyPipeline(gpu.device, pipeline.handle, nullptr);
     for (auto& [pass, layout] : store.layouts) destroyLayout(gpu, layout);
     store = {};
 }

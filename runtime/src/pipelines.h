@@ -1,4 +1,5 @@
-// Pipelines, made once for each (pass, target, vertex layout): on first use, or several at a time before it.
+// Pipelines, made once for each (pass, target, vertex layout), or each pass that computes: on first use, or several at
+// a time before it.
 #pragma once
 
 #include <tyndall/parallel.h>
@@ -20,6 +21,7 @@ struct PipelineStore {
     };
     std::map<const permgen::Pass*, PassLayout> layouts;
     std::map<std::pair<const permgen::Pass*, PassTarget>, std::vector<Entry>> pipelines;
+    std::map<const permgen::Pass*, PassPipeline> computing;
 };
 
 /// The key of a pipeline. A store uses one kind of `shaders` for each effect. Vertices are one interleaved stream of
@@ -36,6 +38,11 @@ struct PipelineRequest {
 /// Errors: see PassPipelines::get().
 Result<PassPipeline> pipelineFor(const Gpu& gpu, PipelineStore& store, const PipelineRequest& request,
                                  std::uint64_t& created);
+
+/// The pipeline that computes `pass`, one of the effect's; made on first use, when `created` grows by one.
+/// Errors: see PassPipelines::get().
+Result<PassPipeline> computePipelineFor(const Gpu& gpu, PipelineStore& store, const permgen::Effect& effect,
+                                        const permgen::Pass& pass, Shaders shaders, std::uint64_t& created);
 
 /// Makes those `requests` that the store lacks, each once, on the threads of `parallel` (empty: on this thread).
 /// `created` grows by the number made.

@@ -8,6 +8,7 @@ ShaderStages::~ShaderStages() {
 }
 
 Result<void> ShaderStages::load(const permgen::Pass& pass, Shaders shaders) {
+    if (pass.compute.module) return add(pass.compute, shaders, VK_SHADER_STAGE_COMPUTE_BIT);
     if (auto added = add(pass.vertex, shaders, VK_SHADER_STAGE_VERTEX_BIT); !added) return added;
     if (!pass.pixel.module) return {};
     return add(pass.pixel, shaders, VK_SHADER_STAGE_FRAGMENT_BIT);

@@ -1,4 +1,4 @@
-"""Faults in plan, record and weights: each built into a copy of the tree."""
+"""Faults in plan, record, weights and compute passes: each built into a copy of the tree."""
 
 import shutil
 import subprocess
@@ -14,6 +14,7 @@ SECONDS = 900  # a test program that takes longer hangs, which counts as detecti
 # shaders.
 PROGRAMS = [
     ("tyndall_states_test", ["record"]),
+    ("tyndall_compute_test", ["compute"]),
     ("tyndall_plan_test", ["plan", "needs", "weights"]),
     ("tyndall_record_calls_test", ["record"]),
     ("tyndall_record_test", ["record", "plan", "needs", "weights"]),

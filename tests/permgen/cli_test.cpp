@@ -106,6 +106,40 @@ std::string with(const std::string& from, const std::string& to) {
     return text.replace(at, from.size(), to);
 }
 
+constexpr const char* compute = R"(RWTexture2D<float> image;
+[numthreads(8, 4, 2)]
+void cs_main(uint3 id : SV_DispatchThreadID, uniform bool ramp) { image[id.xy] = ramp ? id.x : 1; }
+technique t { pass p { ComputeShader = compile cs_5_0 cs_main(true); } }
+)";
+
+TEST_F(Cli, CompilesComputeShaders) {
+    put("compute.fx", compute);
+    const Output outcome = permgen("compile --freeze -o out compute.fx");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(read(folder / "out/compute.fx.h").find("{8u, 4u, 2u}"), std::string::npos);
+    const auto manifest = nlohmann::json::parse(read(folder / "out/compute.fx.json"));
+    EXPECT_EQ(manifest["modules"][0]["group_size"], nlohmann::json({8, 4, 2}));
+    EXPECT_EQ(manifest["resources"][0]["format"], "r32f");
+    for (const char* file : {"out/compute.cs_main.spv", "out/compute.t.0-p.compute.spv"})
+        EXPECT_EQ(validate_spirv(read_words(folder / file)), "") << file;
+    const std::string table = permgen("list compute.fx").out;
+    EXPECT_NE(table.find("cs_main(true) [8, 4, 2]"), std::string::npos) << table;
+    const auto list = nlohmann::json::parse(permgen("list --json compute.fx").out);
+    EXPECT_EQ(list["techniques"][0]["passes"][0]["compute"]["group_size"], nlohmann::json({8, 4, 2}));
+}
+
+TEST_F(Cli, AComputeShaderWithoutAGroupIsReportedAtItsPlace) {
+    std::string text = compute;
+    text.replace(text.find("[numthreads(8, 4, 2)]"), 21, "");
+    put("compute.fx", text);
+    const Output outcome = permgen("compile -o out compute.fx");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err.rfind("compute.fx:3:6: error[PG029]: compute shader 'cs_main' has no thread group", 0), 0u)
+        << outcome.err;
+    EXPECT_TRUE(files("out").empty());
+}
+
 TEST_F(Cli, ListsEveryTechniqueOverOnePixelModule) {
     const Output outcome = permgen(std::string("list --json ") + slices);
     ASSERT_EQ(outcome.status, 0) << outcome.err;

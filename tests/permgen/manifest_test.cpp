@@ -1,5 +1,6 @@
 // The tables loaded from a folder equal those of the generated header; a damaged folder is refused with a sentence that
 // names file and place.
+#include <compute.fx.h>
 #include <everything.fx.h>
 #include <gtest/gtest.h>
 #include <permgen/manifest.h>
@@ -60,6 +61,7 @@ void same_module(const Module& a, const Module& b) {
     expect_same(a.code, b.code, same_word);
     expect_same(a.axes, b.axes, same_constant);
     expect_same(a.attributes, b.attributes, same_attribute);
+    EXPECT_EQ(a.group_size, b.group_size);
 }
 
 void same_resource(const Resource& a, const Resource& b) {
@@ -69,6 +71,8 @@ void same_resource(const Resource& a, const Resource& b) {
     EXPECT_EQ(a.set, b.set);
     EXPECT_EQ(a.binding, b.binding);
     EXPECT_EQ(a.size, b.size);
+    EXPECT_EQ(a.format, b.format);
+    EXPECT_EQ(a.writable, b.writable);
     expect_same(a.sampler_states, b.sampler_states, same_state);
 }
 
@@ -101,6 +105,7 @@ struct SamePass {
         EXPECT_EQ(left.name, right.name);
         shader(left.vertex, right.vertex);
         shader(left.pixel, right.pixel);
+        shader(left.compute, right.compute);
         expect_same(left.live, right.live, [&](const Resource* l, const Resource* r) {
             EXPECT_EQ(l - a.resources.data(), r - b.resources.data());
             EXPECT_LT(static_cast<std::size_t>(l - a.resources.data()), a.resources.size());
@@ -138,6 +143,34 @@ TEST(LoadManifest, GivesAxesOfEveryTypeAndImagesOfEveryDimension) {
     expect_same(effect, everything::effect);
 }
 
+// The fixture's numbers, from the header at compile time.
+static_assert(compute::effect.modules[0]->group_size == std::array<std::uint32_t, 3>{8, 4, 2});
+static_assert(compute::effect.modules[1]->group_size == std::array<std::uint32_t, 3>{64, 1, 1});
+static_assert(compute::effect.modules[0]->stage == Stage::Compute);
+static_assert(compute::effect.modules[0]->attributes.empty());
+static_assert(find_resource(compute::effect, "image")->kind == ResourceKind::StorageImage);
+static_assert(find_resource(compute::effect, "image")->format == ImageFormat::Rgba32f);
+static_assert(find_resource(compute::effect, "small")->format == ImageFormat::Rgba16f);
+static_assert(find_resource(compute::effect, "cells")->kind == ResourceKind::StorageBuffer);
+static_assert(!find_resource(compute::effect, "cells")->writable);
+static_assert(find_resource(compute::effect, "results")->writable);
+static_assert(compute::cs_main_key_of(compute::TechniqueId::deep) == compute::cs_main_key{true, -2, 1.0F});
+
+TEST(LoadManifest, GivesComputeShadersAndTheirResources) {
+    const auto loaded = load_manifest(EFFECTS "/compute.fx.json");
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const Effect& effect = loaded->tables();
+    EXPECT_EQ(effect.modules[0]->group_size, (std::array<std::uint32_t, 3>{8, 4, 2}));
+    EXPECT_EQ(find_resource(effect, "volume")->dimension, ImageDimension::Three);
+    const Pass& fill = effect.techniques[1].passes[1];
+    EXPECT_EQ(fill.vertex.module, nullptr);
+    EXPECT_EQ(fill.compute.module, effect.modules[0]);
+    EXPECT_FALSE(fill.compute.frozen.empty());
+    EXPECT_TRUE(is_live(fill, "volume"));
+    EXPECT_FALSE(is_live(effect.techniques[0].passes[0], "volume"));
+    expect_same(effect, compute::effect);
+}
+
 TEST(LoadManifest, PointersSurviveAMove) {
     auto loaded = load_manifest(EFFECTS "/everything.fx.json");
     ASSERT_TRUE(loaded) << loaded.error().message;
@@ -152,12 +185,12 @@ TEST(LoadManifest, PointersSurviveAMove) {
 
 class BrokenManifest : public testing::Test {
 protected:
-    BrokenManifest() {
+    explicit BrokenManifest(const std::string& effect = "everything") {
         std::string pattern = testing::TempDir() + "permgen_manifest_XXXXXX";
         folder = ::mkdtemp(pattern.data());
         for (const auto& entry : fs::directory_iterator(EFFECTS))
-            if (entry.path().filename().string().starts_with("everything")) fs::copy(entry.path(), folder);
-        manifest = folder / "everything.fx.json";
+            if (entry.path().filename().string().starts_with(effect)) fs::copy(entry.path(), folder);
+        manifest = folder / (effect + ".fx.json");
         std::ifstream file(manifest);
         json = Json::parse(file);
     }
@@ -258,6 +291,15 @@ void PrintTo(const Damage& damage, std::ostream* out) {
 
 const Json erased = Json(Json::value_t::discarded);
 
+TEST_F(BrokenManifest, WithoutComputeShadersLoadsAsBefore) {
+    for (Json& technique : json["techniques"])
+        for (Json& pass : technique["passes"]) pass.erase("compute");
+    put(manifest, json.dump());
+    const auto loaded = load_manifest(manifest);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    expect_same(loaded->tables(), everything::effect);
+}
+
 class DamagedManifest : public BrokenManifest, public testing::WithParamInterface<Damage> {};
 
 TEST_P(DamagedManifest, IsRefusedWithThePlace) {
@@ -296,12 +338,13 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"UnknownDimension", "/resources/1/dimension", "4d", "'4d' is not one of 1d, 2d, 3d, cube"},
         Damage{"NoSize", "/resources/0/size", erased, "resources[0]: the field 'size' is missing"},
         Damage{"ResourceTwice", "/resources/1/name", "Globals", "resources[1]: the name 'Globals' occurs twice"},
-        Damage{"UnknownBlock", "/members/0/block", "Local", "members[0].block: there is no uniform block 'Local'"},
-        Damage{"BlockIsSampler", "/members/0/block", "Sky", "there is no uniform block 'Sky'"},
+        Damage{"UnknownBlock", "/members/0/block", "Local",
+               "members[0].block: there is no uniform block or storage buffer 'Local'"},
+        Damage{"BlockIsSampler", "/members/0/block", "Sky", "there is no uniform block or storage buffer 'Sky'"},
         Damage{"MemberOutside", "/members/0/offset", 4294967295, "members[0]: the member ends beyond its block's"},
         Damage{"UnknownModule", "/techniques/0/passes/0/pixel/module", "ps",
                "techniques[0].passes[0].pixel.module: there is no module 'ps'"},
-        Damage{"WrongStage", "/techniques/0/passes/0/pixel/module", "vs_main", "is of the other stage"},
+        Damage{"WrongStage", "/techniques/0/passes/0/pixel/module", "vs_main", "is of another stage"},
         Damage{"NoConstants", "/techniques/0/passes/0/pixel/constants", Json::array(), "these are not the axes of"},
         Damage{"OtherConstant", "/techniques/0/passes/0/pixel/constants/0/name", "bSkies", "these are not the axes of"},
         Damage{"OtherId", "/techniques/0/passes/0/pixel/constants/0/id", 9, "these are not the axes of"},
@@ -317,6 +360,41 @@ INSTANTIATE_TEST_SUITE_P(
                "states[0].kind: 'CullMode' has no value of the kind 'float'"},
         Damage{"UnknownValue", "/techniques/0/passes/0/states/0/bits", 9, "states[0].bits: 'CullMode' has no value 9"},
         Damage{"StateWithoutValue", "/techniques/0/passes/0/states/0/value", erased, "the field 'value' is missing"}),
+    [](const auto& damage) { return std::string(damage.param.name); });
+
+class DamagedComputeManifest : public BrokenManifest, public testing::WithParamInterface<Damage> {
+protected:
+    DamagedComputeManifest() : BrokenManifest("compute") {}
+};
+
+TEST_P(DamagedComputeManifest, IsRefusedWithThePlace) {
+    const Damage& damage = GetParam();
+    const Json::json_pointer place(damage.pointer);
+    if (damage.value.is_discarded())
+        json[place.parent_pointer()].erase(place.back());
+    else
+        json[place] = damage.value;
+    expect_refused(json, damage.says);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DamagedComputeManifest,
+    testing::Values(
+        Damage{"NoGroupSize", "/modules/0/group_size", erased, "modules[0]: the field 'group_size' is missing"},
+        Damage{"TwoSizes", "/modules/0/group_size", Json::array({8, 8}),
+               "a thread group has three sizes, and these are 2"},
+        Damage{"ZeroSize", "/modules/0/group_size/1", 0, "modules[0].group_size[1]: a size of a thread group is 1 to"},
+        Damage{"NegativeSize", "/modules/0/group_size/2", -1, "modules[0].group_size[2]: a whole number"},
+        Damage{"HugeSize", "/modules/0/group_size/0", 4294967295, "a size of a thread group is 1 to 1024"},
+        Damage{"TooManyThreads", "/modules/0/group_size", Json::array({64, 64, 64}),
+               "modules[0].group_size: a thread group has 1024 threads at most"},
+        Damage{"GroupOfAPixelShader", "/modules/0/stage", "pixel", "only a compute module has a thread group"},
+        Damage{"UnknownFormat", "/resources/2/format", "rgba15f",
+               "resources[2].format: 'rgba15f' is not one of rgba32f"},
+        Damage{"WritableAsNumber", "/resources/2/writable", 1, "true or false was expected, and this is 1"},
+        Damage{"NoElementSize", "/resources/5/size", erased, "resources[5]: the field 'size' is missing"},
+        Damage{"ComputeBesidesPixel", "/techniques/0/passes/0/pixel",
+               Json{{"module", "cs_main"}, {"constants", Json::array()}}, "is of another stage"}),
     [](const auto& damage) { return std::string(damage.param.name); });
 
 }  // namespace

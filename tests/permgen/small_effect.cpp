@@ -64,20 +64,37 @@ Lowered small_effect() {
     Lowered effect;
     effect.name = "small";
     effect.dependencies = {"small.fx"};
-    effect.resources = {
-        {"Globals", ResourceKind::UniformBuffer, ImageDimension::None, 0, 0, {}, {"small.fx", 1, 1}},
-        {"CookieSampler",
-         ResourceKind::CombinedImageSampler,
-         ImageDimension::Two,
-         0,
-         1,
-         {{"MinFilter", "LINEAR", StateId::MinFilter, 0, ValueKind::Enum, 2},
-          {"AddressU", "CLAMP", StateId::AddressU, 0, ValueKind::Enum, 3}},
-         {"small.fx", 8, 1}},
-        {"NoiseSampler", ResourceKind::CombinedImageSampler, ImageDimension::Three, 0, 2, {}, {"small.fx", 9, 1}}};
+    effect.resources = {{"Globals",
+                         ResourceKind::UniformBuffer,
+                         ImageDimension::None,
+                         0,
+                         0,
+                         {},
+                         ImageFormat::None,
+                         false,
+                         {"small.fx", 1, 1}},
+                        {"CookieSampler",
+                         ResourceKind::CombinedImageSampler,
+                         ImageDimension::Two,
+                         0,
+                         1,
+                         {{"MinFilter", "LINEAR", StateId::MinFilter, 0, ValueKind::Enum, 2},
+                          {"AddressU", "CLAMP", StateId::AddressU, 0, ValueKind::Enum, 3}},
+                         ImageFormat::None,
+                         false,
+                         {"small.fx", 8, 1}},
+                        {"NoiseSampler",
+                         ResourceKind::CombinedImageSampler,
+                         ImageDimension::Three,
+                         0,
+                         2,
+                         {},
+                         ImageFormat::None,
+                         false,
+                         {"small.fx", 9, 1}}};
 
     LoweredModule vs{
-        "vs_main", "vs_entry", "vs_main", Stage::Vertex,      "vs_3_0", declarations + std::string(vertex), {},
+        "vs_main", "vs_entry", "vs_main", Stage::Vertex,      {}, "vs_3_0", declarations + std::string(vertex), {},
         {},        {},         {},        {"small.fx", 16, 7}};
     vs.line_map = places_of(vs.hlsl);
     vs.inputs = {{"POSITION0", false, 0, 3, ScalarType::Float, {}}};
@@ -85,8 +102,8 @@ Lowered small_effect() {
                   {"TEXCOORD1", false, 1, 3, ScalarType::Float, {}},
                   {"SV_POSITION", true, 0, 4, ScalarType::Float, {}}};
 
-    LoweredModule ps{"ps_main", "ps_entry", "ps_main", Stage::Pixel, "ps_3_0",           pixel_text(pixel_body),
-                     {},        {},         {},        {},           {"small.fx", 10, 8}};
+    LoweredModule ps{"ps_main", "ps_entry", "ps_main", Stage::Pixel,       {}, "ps_3_0", pixel_text(pixel_body), {},
+                     {},        {},         {},        {"small.fx", 10, 8}};
     ps.line_map = places_of(ps.hlsl);
     ps.axes = {{"bNoise", 0, ScalarType::Bool, 0, {}}, {"bCookie", 1, ScalarType::Bool, 0, {}}};
     ps.inputs = {{"TEXCOORD0", false, 0, 4, ScalarType::Float, {}}, {"TEXCOORD1", false, 1, 3, ScalarType::Float, {}}};
@@ -95,7 +112,7 @@ Lowered small_effect() {
 
     const auto pass = [](std::uint32_t noise, std::uint32_t cookie, int line) {
         LoweredPass p{
-            "p0", {0, {}, {"small.fx", line, 30}}, {1, {}, {"small.fx", line, 60}}, {}, {"small.fx", line, 1}};
+            "p0", {0, {}, {"small.fx", line, 30}}, {1, {}, {"small.fx", line, 60}}, {}, {}, {"small.fx", line, 1}};
         p.pixel.constants = {{"bNoise", 0, ScalarType::Bool, noise}, {"bCookie", 1, ScalarType::Bool, cookie}};
         p.states = {{"SrcBlend", "ONE", StateId::SrcBlend, 0, ValueKind::Enum, 2},
                     {"DestBlend", "ONE", StateId::DestBlend, 0, ValueKind::Enum, 2}};

@@ -209,6 +209,23 @@ TEST_F(Program, ACubeMapThatIsReadIsRefusedAndOneThatIsNotIsNoMatter) {
     EXPECT_EQ(rig({sky, fixture, "--technique", "picture"}).status, 0);
 }
 
+TEST_F(Program, TechniquesThatComputeAreRefusedAndLeaveTheOthersAlone) {
+    const std::string sums = compileEffect(folder.at("sums"), "tint", std::string(kEffect) + R"(
+        struct Cell { float3 colour; float gain; };
+        StructuredBuffer<Cell> Cells;
+        RWStructuredBuffer<Cell> Sums;
+        groupshared float shared_gain;
+        [numthreads(8, 1, 1)] void cs_main(uint3 id : SV_DispatchThreadID) { shared_gain = 1; Sums[id.x].gain = shared_gain * gTint.x; }
+        float4 ps_cells() : COLOR0 { return Cells[0].gain; }
+        technique sum { pass { ComputeShader = compile cs_5_0 cs_main(); } }
+        technique cells { pass { VertexShader = compile vs_3_0 vs_main(); PixelShader = compile ps_3_0 ps_cells(); } })");
+    expectRefused({sums, fixture}, "sum computes, and permgen-rig tests what is drawn; name a technique that draws");
+    expectRefused({sums, fixture, "--technique", "cells"},
+                  "cells reads the storage buffer Cells, and a fixture has none");
+    const Ran ran = rig({sums, fixture, "--technique", "picture"});
+    EXPECT_EQ(ran.status, 0) << ran.text;
+}
+
 TEST_F(Program, ATechniqueThatWasRenamedLeavesTheReport) {
     const std::vector<std::string> words{manifest, fixture, "--goldens", goldens, "--report", folder.at("report")};
     EXPECT_EQ(rig(words).status, 1);

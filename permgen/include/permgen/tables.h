@@ -7,6 +7,7 @@
 
 #include <permgen/states.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,7 +15,7 @@
 
 namespace permgen {
 
-enum class Stage : std::uint8_t { Vertex, Pixel };
+enum class Stage : std::uint8_t { Vertex, Pixel, Compute };
 
 /// Types that a `uniform` entry-point parameter may have to become a specialization constant.
 enum class ScalarType : std::uint8_t { Bool, Int, Uint, Float };
@@ -28,10 +29,55 @@ struct Constant {
     std::uint32_t bits;
 };
 
-enum class ResourceKind : std::uint8_t { UniformBuffer, CombinedImageSampler };
+enum class ResourceKind : std::uint8_t { UniformBuffer, CombinedImageSampler, StorageImage, StorageBuffer };
 
-/// The dimensionality of a sampler's image; None for a buffer.
+/// The dimensionality of a sampler's image or of a storage image; None for a buffer.
 enum class ImageDimension : std::uint8_t { None, One, Two, Three, Cube };
+
+/// The texels of a storage image: Vulkan's format of the same components, as R16G16B16A16_SFLOAT for Rgba16f; without
+/// suffix it is UNORM. An image view must have that format. The numbers are SPIR-V's. None for every other resource.
+enum class ImageFormat : std::uint8_t {
+    None,
+    Rgba32f,
+    Rgba16f,
+    R32f,
+    Rgba8,
+    Rgba8snorm,
+    Rg32f,
+    Rg16f,
+    R11g11b10f,
+    R16f,
+    Rgba16,
+    Rgb10a2,
+    Rg16,
+    Rg8,
+    R16,
+    R8,
+    Rgba16snorm,
+    Rg16snorm,
+    Rg8snorm,
+    R16snorm,
+    R8snorm,
+    Rgba32i,
+    Rgba16i,
+    Rgba8i,
+    R32i,
+    Rg32i,
+    Rg16i,
+    Rg8i,
+    R16i,
+    R8i,
+    Rgba32ui,
+    Rgba16ui,
+    Rgba8ui,
+    R32ui,
+    Rgb10a2ui,
+    Rg32ui,
+    Rg16ui,
+    Rg8ui,
+    R16ui,
+    R8ui
+};
 
 /// A state that a pass or a sampler sets, e.g. SrcBlend = ONE. Each state occurs once.
 struct State {
@@ -49,15 +95,17 @@ struct Resource {
     ImageDimension dimension;
     std::uint32_t set;
     std::uint32_t binding;
-    std::uint32_t size;                     ///< bytes of a uniform block, 0 for a sampler
-    std::span<const State> sampler_states;  ///< {"MinFilter", "LINEAR"} and so on; empty for a buffer
+    std::uint32_t size;                     ///< bytes of a uniform block or of a storage buffer's element, else 0
+    std::span<const State> sampler_states;  ///< {"MinFilter", "LINEAR"} and so on; empty for all but a sampler
+    ImageFormat format = ImageFormat::None;
+    bool writable = false;  ///< a shader may write it
 };
 
-/// A member of a uniform block, as the SPIR-V lays it out.
+/// A member of a uniform block or of a storage buffer's element, as the SPIR-V lays it out.
 struct Member {
     std::string_view block;  ///< name of its Resource
     std::string_view name;
-    std::uint32_t offset;  ///< bytes from the block's start
+    std::uint32_t offset;  ///< bytes from the start of the block or element
     std::uint32_t size;    ///< bytes
 };
 
@@ -74,9 +122,10 @@ struct Module {
     std::string_view name;   ///< unique in the effect; its file is EFFECT.NAME.spv
     std::string_view entry;  ///< entry point's name in the SPIR-V
     Stage stage;
-    std::span<const std::uint32_t> code;    ///< SPIR-V words
-    std::span<const Constant> axes;         ///< its specialization constants, with their defaults
-    std::span<const Attribute> attributes;  ///< inputs of a vertex module, outputs of a pixel module
+    std::span<const std::uint32_t> code;           ///< SPIR-V words
+    std::span<const Constant> axes;                ///< its specialization constants, with their defaults
+    std::span<const Attribute> attributes;         ///< inputs of a vertex module, outputs of a pixel module
+    std::array<std::uint32_t, 3> group_size = {};  ///< [numthreads] of a compute module: x, y, z; else zeros
 };
 
 /// A module with its switches set.
@@ -86,12 +135,14 @@ struct Shader {
     std::span<const std::uint32_t> frozen;  ///< the specialized, dead-code-free module; empty unless --freeze
 };
 
+/// Has either a compute shader, or a vertex shader, a pixel shader or both.
 struct Pass {
     std::string_view name;
     Shader vertex;
     Shader pixel;
-    std::span<const Resource* const> live;  ///< resources that survive specialization, of both stages
+    std::span<const Resource* const> live;  ///< resources that survive specialization, of all stages
     std::span<const State> states;
+    Shader compute = {};
 };
 
 struct Technique {

@@ -8,7 +8,17 @@
 //   const std::array images{NamedImage{"RippleSampler", view, layout}};
 //   pipelines->push(commands, *calm, buffers, images);
 //
-// Viewport, scissor and the stride of vertices (vkCmdBindVertexBuffers2) are dynamic state. Not thread-safe.
+// A pass that computes has neither target nor vertices:
+//
+//   auto sums = pipelines->get(technique->passes[1]);
+//   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, sums->handle);
+//   const std::array images{NamedImage{"Picture", view, VK_IMAGE_LAYOUT_GENERAL}};
+//   pipelines->push(commands, *sums, buffers, images);
+//   const auto groups = groupCounts(technique->passes[1], {width, height, 1});
+//   vkCmdDispatch(commands, groups[0], groups[1], groups[2]);
+//
+// Barriers between passes are the caller's. Viewport, scissor and the stride of vertices (vkCmdBindVertexBuffers2) are
+// dynamic state. Not thread-safe.
 #pragma once
 
 #include <tyndall/device.h>
@@ -40,13 +50,14 @@ struct PassTarget {
     auto operator<=>(const PassTarget&) const = default;
 };
 
-/// The buffer of a uniform block, by the block's name in the effect.
+/// The buffer of a uniform block or of a storage buffer, by its name in the effect.
 struct NamedBuffer {
     std::string_view block;
     VkDescriptorBufferInfo buffer;
 };
 
-/// The image of a sampler, by the sampler's name in the effect.
+/// The image of a sampler or of a storage image, by its name in the effect. A storage image's view has the format
+/// vulkanFormat(resource.format), one mip level, and the layout GENERAL.
 struct NamedImage {
     std::string_view sampler;
     VkImageView view;
@@ -63,6 +74,16 @@ struct PassPipeline {
 
 /// Whether `pipeline` reads the resource of that name: permgen::is_live() of its pass.
 bool reads(const PassPipeline& pipeline, std::string_view resource);
+
+/// The counts for vkCmdDispatch() that give each of `threads` a thread; those of the last groups may lie beyond.
+/// `pass` computes.
+constexpr std::array<std::uint32_t, 3> groupCounts(const permgen::Pass& pass, std::array<std::uint32_t, 3> threads) {
+    for (std::size_t axis = 0; axis < threads.size(); ++axis) {
+        const std::uint32_t size = pass.compute.module->group_size[axis];
+        threads[axis] = threads[axis] / size + (threads[axis] % size ? 1 : 0);
+    }
+    return threads;
+}
 
 class PassPipelines {
 public:
@@ -83,13 +104,19 @@ public:
     Result<PassPipeline> get(const permgen::Pass& pass, const PassTarget& target,
                              std::span<const VertexElement> elements);
 
+    /// The pipeline that computes `pass`, a pass of the effect; made on first use. The device needs the features that
+    /// the storage images' formats ask for (docs/permgen.md).
+    /// Errors: InvalidArgument as above; UnsupportedDevice if the thread group or an image's format is beyond the
+    /// device; Vulkan.
+    Result<PassPipeline> get(const permgen::Pass& pass);
+
     /// Fills the neutral resources for those that a specialized module declares and its pass does not read. Record it
-    /// before drawing with such pipelines, outside of rendering, in every submission that uses them. Records nothing if
-    /// there is nothing to fill.
+    /// before drawing or computing with such pipelines, outside of rendering, in every submission that uses them.
+    /// Records nothing if there is nothing to fill.
     void recordNeutralResources(VkCommandBuffer commands) const;
 
     /// Pushes those `buffers` and `images` that `pipeline` binds. Returns the number of descriptors. Errors:
-    /// InvalidArgument naming a resource that the pass reads and that got no buffer or image.
+    /// InvalidArgument naming a resource that the pass uses and that got no buffer or image.
     Result<std::uint32_t> push(VkCommandBuffer commands, const PassPipeline& pipeline,
                                std::span<const NamedBuffer> buffers, std::span<const NamedImage> images) const;
 
