@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "numbers.h"
 #include "plan_scenes.h"
 #include "visibility/walls.h"
 
@@ -12,8 +13,6 @@ namespace {
 std::vector<OccluderShadow> scratch;
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Setting {
     Light light;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t size = 512;
 
-Light lamp() {
+Light cacheLamp() {
     Light light;
     light.worldFromLight[3] = {1.0, 2.0, 3.0, 1.0};
     return light;
@@ -43,7 +43,7 @@ protected:
         }
     }
 
-    Light light = lamp();
+    Light light = cacheLamp();
     std::vector<ShadowCaster> casters = twoCasters();
     ShadowCache cache;
 };
