@@ -31,11 +31,11 @@ tyndall_room(apps PROGRAMS tyndall_app_tests
              VULKAN "AccuracyTest" "InMotion" "Images[.]" "^Once" "PipelineCache" "PlannedEqualsForced"
                     "Accumulations" "AutomaticRange" "Formats" "Layers" "Modes[.].*hardware" "Render"
                     "ScatteringPicture" "Slide" "^Command[.]"
-             COST "InMotion" 60 "DamagedAnywhere" 17)
+             COST "InMotion" 60 "DamagedAnywhere" 17 "AccuracyTest" 7 "PlannedEqualsForced" 6)
 tyndall_room(rig PROGRAMS tyndall_rig_test)
 tyndall_room(rig PROGRAMS permgen_rig_test VULKAN "^Program" "^PlantedFault")
 tyndall_room(permutations PROGRAMS tyndall_oracle_test)
-tyndall_room(permutations PROGRAMS tyndall_permutation_test VULKAN)
+tyndall_room(permutations PROGRAMS tyndall_permutation_test VULKAN COST "/TechniqueTest" 5)
 tyndall_room(permutations PROGRAMS tyndall_broken_permutation_test VULKAN COST "ANewAxis" 70 "." 9)
 
 # A test without a label would belong to no room and vanish from the times; a case without a test would not run.
