@@ -45,7 +45,10 @@ configure_and_build() {
     shift
     say "configure: build/$preset"
     mkdir -p "$root/build"
-    (cd "$root" && cmake --preset "$preset" >build/configure.log 2>&1) || {
+    # A new folder has everything to compile; a configured one keeps its way. See cmake/UnityBuild.cmake.
+    local unity=()
+    [[ -f $root/build/$preset/CMakeCache.txt ]] || unity=(-D CMAKE_UNITY_BUILD=ON)
+    (cd "$root" && cmake --preset "$preset" "${unity[@]}" >build/configure.log 2>&1) || {
         cat "$root/build/configure.log" >&2
         fail "cmake --preset $preset" "read the message above; if the build folder belongs to another path or compiler, run: rm -r build/$preset"
     }

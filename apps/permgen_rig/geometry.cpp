@@ -85,7 +85,7 @@ VkFormat formatOf(const permgen::Attribute& attribute) {
     return floats.at(last);
 }
 
-std::uint32_t bitsOf(permgen::ScalarType type, double value) {
+std::uint32_t attributeBits(permgen::ScalarType type, double value) {
     if (type != permgen::ScalarType::Float) return static_cast<std::uint32_t>(std::llround(value));
     const float number = static_cast<float>(value);
     std::uint32_t bits = 0;
@@ -142,7 +142,7 @@ Result<VertexStream> vertexStream(const permgen::Module& module, const ExplicitG
             const std::vector<double>& given = (*columns[a])[vertex];
             for (std::uint32_t c = 0; c < module.attributes[a].components; ++c) {
                 const double value = c < given.size() ? given[c] : c == 3 ? 1.0 : 0.0;
-                const std::uint32_t bits = bitsOf(module.attributes[a].type, value);
+                const std::uint32_t bits = attributeBits(module.attributes[a].type, value);
                 const auto* bytes = reinterpret_cast<const std::byte*>(&bits);
                 stream.bytes.insert(stream.bytes.end(), bytes, bytes + sizeof bits);
             }

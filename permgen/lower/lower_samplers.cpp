@@ -15,19 +15,19 @@ struct Dimension {
     std::string_view function;
     ImageDimension dimension;
 };
-constexpr std::array<Dimension, 4> dimensions = {{{"sampler1D", "tex1D", ImageDimension::One},
-                                                  {"sampler2D", "tex2D", ImageDimension::Two},
-                                                  {"sampler3D", "tex3D", ImageDimension::Three},
-                                                  {"samplerCUBE", "texCUBE", ImageDimension::Cube}}};
+constexpr std::array<Dimension, 4> dimension_table = {{{"sampler1D", "tex1D", ImageDimension::One},
+                                                       {"sampler2D", "tex2D", ImageDimension::Two},
+                                                       {"sampler3D", "tex3D", ImageDimension::Three},
+                                                       {"samplerCUBE", "texCUBE", ImageDimension::Cube}}};
 
 ImageDimension of_type(std::string_view type) {
-    for (const Dimension& entry : dimensions)
+    for (const Dimension& entry : dimension_table)
         if (same_word(entry.type, type)) return entry.dimension;
     return ImageDimension::None;
 }
 
 ImageDimension of_texture_function(std::string_view name) {
-    for (const Dimension& entry : dimensions) {
+    for (const Dimension& entry : dimension_table) {
         if (!name.starts_with(entry.function)) continue;
         const std::string_view rest = name.substr(entry.function.size());
         if (rest.empty() || rest == "lod" || rest == "bias" || rest == "grad" || rest == "proj") return entry.dimension;
@@ -123,7 +123,7 @@ SamplerDimensions infer_sampler_dimensions(const ParsedEffect& effect, const Sou
 }
 
 std::string sampler_type(ImageDimension dimension) {
-    for (const Dimension& entry : dimensions)
+    for (const Dimension& entry : dimension_table)
         if (entry.dimension == dimension) return std::string(entry.type);
     return "sampler2D";
 }

@@ -22,7 +22,7 @@ struct Surfaces::Impl {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float unbounded = std::numeric_limits<float>::infinity();
 
 // Drops hits on the back of a one-sided triangle: as in glTF, it is invisible.
 void keepVisible(const RTCFilterFunctionNArguments* arguments) {
@@ -103,7 +103,7 @@ bool Surfaces::blocked(const glm::dvec3& from, const glm::dvec3& to) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(impl_->scene, &context, &query);
-    return query.tfar == -infinity;
+    return query.tfar == -unbounded;
 }
 
 }  // namespace tyndall::study

@@ -16,12 +16,12 @@ namespace {
 
 using namespace tyndall::app;
 
-constexpr int width = 64, height = 36;
+constexpr int scenesWidth = 64, scenesHeight = 36;
 
 ViewOptions sampleView() {
     ViewOptions view;
     view.scene = TYNDALL_SCENES "/window.glb";
-    view.size = {width, height};
+    view.size = {scenesWidth, scenesHeight};
     view.layer = Layer::Shafts;
     return view;
 }

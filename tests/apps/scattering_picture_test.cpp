@@ -19,7 +19,7 @@ namespace {
 using namespace tyndall::app;
 using nlohmann::json;
 
-constexpr int width = 64, height = 36;
+constexpr int airWidth = 64, airHeight = 36;
 
 struct Air {
     const char* name;
@@ -55,7 +55,7 @@ std::string beamScene(const Air& air, const std::array<double, 3>& lamp, double 
 ViewOptions viewOf(const std::string& scene) {
     ViewOptions view;
     view.scene = scene;
-    view.size = {width, height};
+    view.size = {airWidth, airHeight};
     view.layer = Layer::Shafts;
     return view;
 }
@@ -106,8 +106,8 @@ TEST_P(ScatteringPicture, AgreesWithTheReference) {
 }
 
 // A pixel's centre that lies between the rays of the range's grid.
-constexpr std::array<double, 3> towardsEye{8.0 * 1.02640 * (2.0 * 34.5 / width - 1.0),
-                                           8.0 * 0.57735 * (1.0 - 2.0 * 16.5 / height), -8.0};
+constexpr std::array<double, 3> towardsEye{8.0 * 1.02640 * (2.0 * 34.5 / airWidth - 1.0),
+                                           8.0 * 0.57735 * (1.0 - 2.0 * 16.5 / airHeight), -8.0};
 
 struct Shot {
     Air air;

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Lower, Literal,
                                          LiteralCase{"PointOnly", "float", "1.", 0x3F800000u}),
                          [](const auto& test) { return test.param.name; });
 
-struct ErrorCase {
+struct LowerError {
     const char* name;
     std::string body;
     std::string compile;
@@ -92,7 +92,7 @@ struct ErrorCase {
     const char* says;
 };
 
-class LowerRefuses : public testing::TestWithParam<ErrorCase> {};
+class LowerRefuses : public testing::TestWithParam<LowerError> {};
 
 TEST_P(LowerRefuses, WithPlaceAndRemedy) {
     const Result result(effect(GetParam().body, GetParam().compile));
@@ -109,42 +109,42 @@ const std::string switched = "float4 ps_main(uniform bool bFog, uniform int n) :
 INSTANTIATE_TEST_SUITE_P(
     Lower, LowerRefuses,
     testing::Values(
-        ErrorCase{"MisspeltEntry", switched, "ps_mian(true, 1)", "PG030", 3, "'ps_main'"},
-        ErrorCase{"OverloadedEntry", switched + switched, "ps_main(true, 1)", "PG030", 3, "overloaded"},
-        ErrorCase{"TooFewArguments", switched, "ps_main(true)", "PG031", 3, "bool bFog, int n"},
-        ErrorCase{"TooManyArguments", switched, "ps_main(true, 1, 2)", "PG031", 3, "gives 3"},
-        ErrorCase{"FloatForBool", switched, "ps_main(0.5, 1)", "PG032", 3,
-                  "a float; parameter 'bFog' of 'ps_main' is a bool"},
-        ErrorCase{"TwoForBool", switched, "ps_main(2, 1)", "PG032", 3, "a bool"},
-        ErrorCase{"BoolForInt", switched, "ps_main(true, true)", "PG032", 3, "an int"},
-        ErrorCase{"FloatForInt", switched, "ps_main(true, 1.0)", "PG032", 3, "an int"},
-        ErrorCase{"IntTooLarge", switched, "ps_main(true, 2147483648)", "PG032", 3, "out of range"},
-        ErrorCase{"NegativeUint", "float4 ps(uniform uint n) : COLOR { return n; }", "ps(-1)", "PG032", 3,
-                  "out of range"},
-        ErrorCase{"FloatTooLarge", "float4 ps(uniform float f) : COLOR { return f; }", "ps(1e39)", "PG032", 3,
-                  "out of range"},
-        ErrorCase{"UnknownGlobal", "bool gFog; " + switched, "ps_main(gFgo, 1)", "PG033", 3, "'gFog'"},
-        ErrorCase{"GlobalOfOtherType", "float4 gFog; " + switched, "ps_main(gFog, 1)", "PG032", 3, "bFog"},
-        ErrorCase{"NoSemantic", "float4 ps(float4 c) : COLOR { return c; }", "ps()", "PG034", 2, "'c'"},
-        ErrorCase{"NoResultSemantic", "float4 ps() { return 1; }", "ps()", "PG034", 2, "'ps'"},
-        ErrorCase{"WrongTarget", "float4 ps() : TEXCOORD0 { return 1; }", "ps()", "PG035", 2, "TEXCOORD0"},
-        ErrorCase{"NinthTarget", "float4 ps() : COLOR8 { return 1; }", "ps()", "PG035", 2, "COLOR8"},
-        ErrorCase{"SemanticTwice", "float4 ps(float a : TEXCOORD1, float b : texcoord1) : COLOR { return a; }", "ps()",
-                  "PG036", 2, "TEXCOORD1"},
-        ErrorCase{"ArrayRunsIntoNeighbour",
-                  "float4 ps(float a[3] : TEXCOORD1, float b : TEXCOORD3) : COLOR { return b; }", "ps()", "PG036", 2,
-                  "TEXCOORD3"},
-        ErrorCase{"StructWithinItself", "struct S { S s; };\nfloat4 ps(S s) : COLOR { return 1; }", "ps()", "PG037", 2,
-                  "'S'"},
-        ErrorCase{"DoubleInput", "float4 ps(double d : COLOR) : COLOR { return 1; }", "ps()", "PG037", 2, "double"},
-        ErrorCase{"WideDepth", "float4 ps() : DEPTH { return 1; }", "ps()", "PG037", 2, "float"},
-        ErrorCase{"SamplerOfTwoKinds", "sampler s; float4 ps() : COLOR { return tex2D(s, 0) +\n texCUBE(s, 0); }",
-                  "ps()", "PG038", 3, "samplerCUBE"},
-        ErrorCase{"GlobalTwice", "float a;\nfloat a; float4 ps() : COLOR { return 1; }", "ps()", "PG023", 3, "line 2"},
-        ErrorCase{"ReservedName", "float permgen_in; float4 ps() : COLOR { return 1; }", "ps()", "PG042", 2,
-                  "permgen_"},
-        ErrorCase{"ReservedBlock", "float a; struct Globals { float b; }; float4 ps() : COLOR { return 1; }", "ps()",
-                  "PG042", 2, "Globals"}),
+        LowerError{"MisspeltEntry", switched, "ps_mian(true, 1)", "PG030", 3, "'ps_main'"},
+        LowerError{"OverloadedEntry", switched + switched, "ps_main(true, 1)", "PG030", 3, "overloaded"},
+        LowerError{"TooFewArguments", switched, "ps_main(true)", "PG031", 3, "bool bFog, int n"},
+        LowerError{"TooManyArguments", switched, "ps_main(true, 1, 2)", "PG031", 3, "gives 3"},
+        LowerError{"FloatForBool", switched, "ps_main(0.5, 1)", "PG032", 3,
+                   "a float; parameter 'bFog' of 'ps_main' is a bool"},
+        LowerError{"TwoForBool", switched, "ps_main(2, 1)", "PG032", 3, "a bool"},
+        LowerError{"BoolForInt", switched, "ps_main(true, true)", "PG032", 3, "an int"},
+        LowerError{"FloatForInt", switched, "ps_main(true, 1.0)", "PG032", 3, "an int"},
+        LowerError{"IntTooLarge", switched, "ps_main(true, 2147483648)", "PG032", 3, "out of range"},
+        LowerError{"NegativeUint", "float4 ps(uniform uint n) : COLOR { return n; }", "ps(-1)", "PG032", 3,
+                   "out of range"},
+        LowerError{"FloatTooLarge", "float4 ps(uniform float f) : COLOR { return f; }", "ps(1e39)", "PG032", 3,
+                   "out of range"},
+        LowerError{"UnknownGlobal", "bool gFog; " + switched, "ps_main(gFgo, 1)", "PG033", 3, "'gFog'"},
+        LowerError{"GlobalOfOtherType", "float4 gFog; " + switched, "ps_main(gFog, 1)", "PG032", 3, "bFog"},
+        LowerError{"NoSemantic", "float4 ps(float4 c) : COLOR { return c; }", "ps()", "PG034", 2, "'c'"},
+        LowerError{"NoResultSemantic", "float4 ps() { return 1; }", "ps()", "PG034", 2, "'ps'"},
+        LowerError{"WrongTarget", "float4 ps() : TEXCOORD0 { return 1; }", "ps()", "PG035", 2, "TEXCOORD0"},
+        LowerError{"NinthTarget", "float4 ps() : COLOR8 { return 1; }", "ps()", "PG035", 2, "COLOR8"},
+        LowerError{"SemanticTwice", "float4 ps(float a : TEXCOORD1, float b : texcoord1) : COLOR { return a; }", "ps()",
+                   "PG036", 2, "TEXCOORD1"},
+        LowerError{"ArrayRunsIntoNeighbour",
+                   "float4 ps(float a[3] : TEXCOORD1, float b : TEXCOORD3) : COLOR { return b; }", "ps()", "PG036", 2,
+                   "TEXCOORD3"},
+        LowerError{"StructWithinItself", "struct S { S s; };\nfloat4 ps(S s) : COLOR { return 1; }", "ps()", "PG037", 2,
+                   "'S'"},
+        LowerError{"DoubleInput", "float4 ps(double d : COLOR) : COLOR { return 1; }", "ps()", "PG037", 2, "double"},
+        LowerError{"WideDepth", "float4 ps() : DEPTH { return 1; }", "ps()", "PG037", 2, "float"},
+        LowerError{"SamplerOfTwoKinds", "sampler s; float4 ps() : COLOR { return tex2D(s, 0) +\n texCUBE(s, 0); }",
+                   "ps()", "PG038", 3, "samplerCUBE"},
+        LowerError{"GlobalTwice", "float a;\nfloat a; float4 ps() : COLOR { return 1; }", "ps()", "PG023", 3, "line 2"},
+        LowerError{"ReservedName", "float permgen_in; float4 ps() : COLOR { return 1; }", "ps()", "PG042", 2,
+                   "permgen_"},
+        LowerError{"ReservedBlock", "float a; struct Globals { float b; }; float4 ps() : COLOR { return 1; }", "ps()",
+                   "PG042", 2, "Globals"}),
     [](const auto& test) { return test.param.name; });
 
 // The conversion of a value from the interface to the author's variable and back.

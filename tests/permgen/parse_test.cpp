@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
         KeptCase{"Technique", "technique t { pass p { VertexShader = compile vs_2_0 f(); } };", ""}),
     [](const auto& test) { return test.param.name; });
 
-struct ErrorCase {
+struct ParseError {
     const char* name;
     std::string text;
     const char* code;
@@ -70,7 +70,7 @@ struct ErrorCase {
     const char* says;
 };
 
-class ParseRefuses : public testing::TestWithParam<ErrorCase> {};
+class ParseRefuses : public testing::TestWithParam<ParseError> {};
 
 TEST_P(ParseRefuses, WithPlaceAndRemedy) {
     const Parsed parsed(GetParam().text);
@@ -89,38 +89,38 @@ std::string pass(const std::string& body) {
 INSTANTIATE_TEST_SUITE_P(
     Parse, ParseRefuses,
     testing::Values(
-        ErrorCase{"MisspeltTechnique", "\ntecnique t { pass p { } }", "PG020", 2, "'technique'"},
-        ErrorCase{"MisspeltPass", "technique t {\n pas p { } }", "PG020", 2, "'pass'"},
-        ErrorCase{"MisspeltCompile", pass("PixelShader = comple ps_2_0 f();"), "PG026", 3, "'compile'"},
-        ErrorCase{"MisspeltShader", pass("PixlShader = compile ps_2_0 f();"), "PG026", 3, "'PixelShader'"},
-        ErrorCase{"MisspeltSamplerState", "sampler s = sampler_stat { };", "PG020", 1, "'sampler_state'"},
-        ErrorCase{"WrongStage", pass("PixelShader = compile vs_2_0 f();"), "PG024", 3, "ps_3_0"},
-        ErrorCase{"NoArgumentList", pass("PixelShader = compile ps_2_0 f;"), "PG020", 3, "'('"},
-        ErrorCase{"ShaderTwice", pass("PixelShader = compile ps_2_0 f();\nPixelShader = compile ps_2_0 f();"), "PG025",
-                  4, "twice"},
-        ErrorCase{"NoShader", pass("ZEnable = TRUE;"), "PG027", 2, "no shader"},
-        ErrorCase{"FixedFunction", pass("VertexShader = NULL; PixelShader = NULL;"), "PG027", 2, "fixed-function"},
-        ErrorCase{"Assembler", pass("PixelShader = asm { ps_1_1 };"), "PG026", 3, "HLSL"},
-        ErrorCase{"NoPass", "technique t { }", "PG027", 1, "no pass"},
-        ErrorCase{"DuplicateTechnique",
-                  pass("PixelShader = compile ps_2_0 f(); VertexShader = compile vs_2_0 f();") + "\n" +
-                      pass("PixelShader = compile ps_2_0 f(); VertexShader = compile vs_2_0 f();"),
-                  "PG023", 5, "line 1"},
-        ErrorCase{"MissingSemicolon", pass("ZEnable = TRUE\nCullMode = NONE;"), "PG020", 4, "';'"},
-        ErrorCase{"OpenPass", "technique t {\npass p { ZEnable = TRUE;", "PG021", 2, "'}'"},
-        ErrorCase{"OpenBody", "float f() {\n if (1) {\n}", "PG021", 1, "'}'"},
-        ErrorCase{"CrossedBrackets", "float f() {\n (]; }", "PG021", 2, "'('"},
-        ErrorCase{"DeepBrackets", "float f() { return " + std::string(20000, '(') + "; }", "PG021", 1, "256"},
-        ErrorCase{"UnnamedParameter", "float f(int) { return 1; }", "PG022", 1, "no name"},
-        ErrorCase{"VoidMember", "struct S { void v; };", "PG022", 1, "void"},
-        ErrorCase{"MemberTwice", "struct S { float a;\n int a; };", "PG023", 2, "two members"},
-        ErrorCase{"Technique10", "technique10 t { }", "PG022", 1, "technique"},
-        ErrorCase{"TextureObject", "Texture2D<float4> t;", "PG022", 1, "sampler2D"},
-        ErrorCase{"ShaderVariable", "PixelShader p = compile ps_2_0 f();", "PG022", 1, "pass"},
-        ErrorCase{"SamplerArray", "sampler s[2];", "PG022", 1, "single samplers"},
-        ErrorCase{"OwnBinding", "[[vk::binding(0, 0)]] float4 a;", "PG022", 1, "permgen gives out"},
-        ErrorCase{"LooseWord", "float4 a\nfloat4 b;", "PG020", 2, "';'"},
-        ErrorCase{"NoDeclaration", "} float a;", "PG020", 1, "'}'"}),
+        ParseError{"MisspeltTechnique", "\ntecnique t { pass p { } }", "PG020", 2, "'technique'"},
+        ParseError{"MisspeltPass", "technique t {\n pas p { } }", "PG020", 2, "'pass'"},
+        ParseError{"MisspeltCompile", pass("PixelShader = comple ps_2_0 f();"), "PG026", 3, "'compile'"},
+        ParseError{"MisspeltShader", pass("PixlShader = compile ps_2_0 f();"), "PG026", 3, "'PixelShader'"},
+        ParseError{"MisspeltSamplerState", "sampler s = sampler_stat { };", "PG020", 1, "'sampler_state'"},
+        ParseError{"WrongStage", pass("PixelShader = compile vs_2_0 f();"), "PG024", 3, "ps_3_0"},
+        ParseError{"NoArgumentList", pass("PixelShader = compile ps_2_0 f;"), "PG020", 3, "'('"},
+        ParseError{"ShaderTwice", pass("PixelShader = compile ps_2_0 f();\nPixelShader = compile ps_2_0 f();"), "PG025",
+                   4, "twice"},
+        ParseError{"NoShader", pass("ZEnable = TRUE;"), "PG027", 2, "no shader"},
+        ParseError{"FixedFunction", pass("VertexShader = NULL; PixelShader = NULL;"), "PG027", 2, "fixed-function"},
+        ParseError{"Assembler", pass("PixelShader = asm { ps_1_1 };"), "PG026", 3, "HLSL"},
+        ParseError{"NoPass", "technique t { }", "PG027", 1, "no pass"},
+        ParseError{"DuplicateTechnique",
+                   pass("PixelShader = compile ps_2_0 f(); VertexShader = compile vs_2_0 f();") + "\n" +
+                       pass("PixelShader = compile ps_2_0 f(); VertexShader = compile vs_2_0 f();"),
+                   "PG023", 5, "line 1"},
+        ParseError{"MissingSemicolon", pass("ZEnable = TRUE\nCullMode = NONE;"), "PG020", 4, "';'"},
+        ParseError{"OpenPass", "technique t {\npass p { ZEnable = TRUE;", "PG021", 2, "'}'"},
+        ParseError{"OpenBody", "float f() {\n if (1) {\n}", "PG021", 1, "'}'"},
+        ParseError{"CrossedBrackets", "float f() {\n (]; }", "PG021", 2, "'('"},
+        ParseError{"DeepBrackets", "float f() { return " + std::string(20000, '(') + "; }", "PG021", 1, "256"},
+        ParseError{"UnnamedParameter", "float f(int) { return 1; }", "PG022", 1, "no name"},
+        ParseError{"VoidMember", "struct S { void v; };", "PG022", 1, "void"},
+        ParseError{"MemberTwice", "struct S { float a;\n int a; };", "PG023", 2, "two members"},
+        ParseError{"Technique10", "technique10 t { }", "PG022", 1, "technique"},
+        ParseError{"TextureObject", "Texture2D<float4> t;", "PG022", 1, "sampler2D"},
+        ParseError{"ShaderVariable", "PixelShader p = compile ps_2_0 f();", "PG022", 1, "pass"},
+        ParseError{"SamplerArray", "sampler s[2];", "PG022", 1, "single samplers"},
+        ParseError{"OwnBinding", "[[vk::binding(0, 0)]] float4 a;", "PG022", 1, "permgen gives out"},
+        ParseError{"LooseWord", "float4 a\nfloat4 b;", "PG020", 2, "';'"},
+        ParseError{"NoDeclaration", "} float a;", "PG020", 1, "'}'"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Parse, SemanticsAreUpperCaseWithTheirIndexSplitOff) {

@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
         TextCase{"PragmaIsIgnored", "#pragma warning(disable: 3205)\na", "a"}, TextCase{"EmptyDirective", "#\na", "a"}),
     [](const auto& test) { return test.param.name; });
 
-struct ErrorCase {
+struct PreprocessError {
     const char* name;
     std::string text;
     const char* code;
@@ -104,7 +104,7 @@ struct ErrorCase {
     int column;
 };
 
-class PreprocessRefuses : public Preprocess, public testing::WithParamInterface<ErrorCase> {};
+class PreprocessRefuses : public Preprocess, public testing::WithParamInterface<PreprocessError> {};
 
 TEST_P(PreprocessRefuses, WithPlace) {
     run(GetParam().text);
@@ -125,31 +125,32 @@ std::string doubling(int levels) {
 
 INSTANTIATE_TEST_SUITE_P(
     Preprocess, PreprocessRefuses,
-    testing::Values(ErrorCase{"MissingInclude", "\n#include \"no.fxh\"", "PG002", 2, 2},
-                    ErrorCase{"IncludeWithoutName", "#include 3", "PG002", 1, 2},
-                    ErrorCase{"IncludeOfFolder", "#include \".\"", "PG002", 1, 2},
-                    ErrorCase{"SelfInclude", "#include \"main.fx\"", "PG002", 1, 2},
-                    ErrorCase{"IfWithoutEndif", "a\n#if 1\nb", "PG006", 2, 2},
-                    ErrorCase{"EndifWithoutIf", "#endif", "PG006", 1, 2},
-                    ErrorCase{"ElseTwice", "#if 1\n#else\n#else\n#endif", "PG006", 3, 2},
-                    ErrorCase{"NoCondition", "#if\n#endif", "PG006", 1, 2},
-                    ErrorCase{"DivisionByZero", "#if 1 / 0\n#endif", "PG006", 1, 2},
-                    ErrorCase{"FloatCondition", "#if 1.5\n#endif", "PG006", 1, 5},
-                    ErrorCase{"DeepCondition", "#if " + std::string(100000, '(') + "\n#endif", "PG006", 1, 133},
-                    ErrorCase{"ErrorDirective", "\n #error stop here", "PG005", 2, 3},
-                    ErrorCase{"UnknownDirective", "#inclde <a>", "PG007", 1, 2},
-                    ErrorCase{"PackMatrix", "#pragma pack_matrix(row_major)", "PG007", 1, 2},
-                    ErrorCase{"DefineNumber", "#define 3 x", "PG008", 1, 2},
-                    ErrorCase{"OpenParameters", "#define F(a", "PG008", 1, 9},
-                    ErrorCase{"TooManyArguments", "#define F(a) a\nF(1, 2)", "PG010", 2, 1},
-                    ErrorCase{"CallWithoutEnd", "#define F(a) a\nF(1", "PG010", 2, 1},
-                    ErrorCase{"CallAcrossDirective", "#define F(a) a\nF(1\n#if 1\n)\n#endif", "PG010", 2, 1},
-                    ErrorCase{"BadPaste", "#define P(a, b) a##b\nP(+, /)", "PG010", 2, 3},
-                    ErrorCase{"DoublingTokens", doubling(40).replace(10, 0, "x"), "PG009", 42, 1},
-                    ErrorCase{"DoublingNothing", doubling(40), "PG009", 42, 1},
-                    ErrorCase{"StrayByte", "a\n @", "PG004", 2, 2},
-                    ErrorCase{"NulByte", std::string("a\0b", 3), "PG004", 1, 2},
-                    ErrorCase{"OpenString", "\"abc", "PG004", 1, 1}, ErrorCase{"OpenComment", "a /*", "PG003", 1, 3}),
+    testing::Values(PreprocessError{"MissingInclude", "\n#include \"no.fxh\"", "PG002", 2, 2},
+                    PreprocessError{"IncludeWithoutName", "#include 3", "PG002", 1, 2},
+                    PreprocessError{"IncludeOfFolder", "#include \".\"", "PG002", 1, 2},
+                    PreprocessError{"SelfInclude", "#include \"main.fx\"", "PG002", 1, 2},
+                    PreprocessError{"IfWithoutEndif", "a\n#if 1\nb", "PG006", 2, 2},
+                    PreprocessError{"EndifWithoutIf", "#endif", "PG006", 1, 2},
+                    PreprocessError{"ElseTwice", "#if 1\n#else\n#else\n#endif", "PG006", 3, 2},
+                    PreprocessError{"NoCondition", "#if\n#endif", "PG006", 1, 2},
+                    PreprocessError{"DivisionByZero", "#if 1 / 0\n#endif", "PG006", 1, 2},
+                    PreprocessError{"FloatCondition", "#if 1.5\n#endif", "PG006", 1, 5},
+                    PreprocessError{"DeepCondition", "#if " + std::string(100000, '(') + "\n#endif", "PG006", 1, 133},
+                    PreprocessError{"ErrorDirective", "\n #error stop here", "PG005", 2, 3},
+                    PreprocessError{"UnknownDirective", "#inclde <a>", "PG007", 1, 2},
+                    PreprocessError{"PackMatrix", "#pragma pack_matrix(row_major)", "PG007", 1, 2},
+                    PreprocessError{"DefineNumber", "#define 3 x", "PG008", 1, 2},
+                    PreprocessError{"OpenParameters", "#define F(a", "PG008", 1, 9},
+                    PreprocessError{"TooManyArguments", "#define F(a) a\nF(1, 2)", "PG010", 2, 1},
+                    PreprocessError{"CallWithoutEnd", "#define F(a) a\nF(1", "PG010", 2, 1},
+                    PreprocessError{"CallAcrossDirective", "#define F(a) a\nF(1\n#if 1\n)\n#endif", "PG010", 2, 1},
+                    PreprocessError{"BadPaste", "#define P(a, b) a##b\nP(+, /)", "PG010", 2, 3},
+                    PreprocessError{"DoublingTokens", doubling(40).replace(10, 0, "x"), "PG009", 42, 1},
+                    PreprocessError{"DoublingNothing", doubling(40), "PG009", 42, 1},
+                    PreprocessError{"StrayByte", "a\n @", "PG004", 2, 2},
+                    PreprocessError{"NulByte", std::string("a\0b", 3), "PG004", 1, 2},
+                    PreprocessError{"OpenString", "\"abc", "PG004", 1, 1},
+                    PreprocessError{"OpenComment", "a /*", "PG003", 1, 3}),
     [](const auto& test) { return test.param.name; });
 
 TEST_F(Preprocess, LooksBesideTheIncluderAndThenInTheFolders) {

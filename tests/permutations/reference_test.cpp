@@ -11,7 +11,7 @@ struct Case {
     NamedShot shot;
 };
 
-std::vector<Case> cases() {
+std::vector<Case> referenceCases() {
     std::vector<Case> all;
     for (const Permutation& permutation : predictedPermutations())
         for (const NamedShot& shot : shots()) {
@@ -25,7 +25,7 @@ std::vector<Case> cases() {
 }
 
 class ReferenceTest : public GpuTest, public testing::WithParamInterface<Case> {};
-INSTANTIATE_TEST_SUITE_P(SlicesFx, ReferenceTest, testing::ValuesIn(cases()), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(SlicesFx, ReferenceTest, testing::ValuesIn(referenceCases()), [](const auto& test) {
     return test.param.permutation.name() + "_" + std::string(test.param.shot.name);
 });
 

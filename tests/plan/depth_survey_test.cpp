@@ -3,14 +3,13 @@
 #include <tyndall/depth_survey.h>
 
 #include "allocations.h"
+#include "numbers.h"
 #include "plan_scenes.h"
 
 namespace tyndall {
 namespace {
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Forward: 0 near and 1 far, as many engines draw. The library's views are reversed.
 View forward(View view) {

@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "geometry/convex_polyhedron.h"
+#include "numbers.h"
 #include "plan_scenes.h"
 
 namespace tyndall {
 namespace {
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 ConvexPolyhedron cube() {
     std::array<glm::dvec3, 8> corners;

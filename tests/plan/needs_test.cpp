@@ -3,17 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include "numbers.h"
 #include "plan_scenes.h"
 #include "visibility/walls.h"
 
 namespace tyndall {
 namespace {
 
-std::vector<OccluderShadow> scratch;
+std::vector<OccluderShadow> needsScratch;
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Setting {
     Light light;
@@ -89,7 +88,7 @@ TEST(ShadowNeed, MissesNoOccluder) {
         for (int i = 0, count = 1 + static_cast<int>(random() % 3); i < count; ++i)
             boxes.push_back(randomBox(random, setting.light));
         const OccluderSet set = OccluderSet::fromBoxes(boxes).value();
-        const ShadowNeed need = shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, scratch);
+        const ShadowNeed need = shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, needsScratch);
         bool hit = false;
         for (int i = 0; i < 300; ++i) {
             const glm::dvec3 point = seenPoint(random, setting);
@@ -125,7 +124,7 @@ TEST(ShadowNeed, MissesNoOccluder) {
 TEST(ShadowNeed, IsNoneWithoutOccluders) {
     Random random(2);
     const Setting setting = randomSetting(random);
-    EXPECT_FALSE(shadowNeed(setting.light, setting.pose, setting.air, {}, {}, 1024, scratch).needed);
+    EXPECT_FALSE(shadowNeed(setting.light, setting.pose, setting.air, {}, {}, 1024, needsScratch).needed);
 }
 
 // Filtering reads a texel and a half beyond the seen air, which is wide in the coarsest map.
@@ -143,8 +142,8 @@ TEST(ShadowNeed, CountsWhatFilteringReads) {
     box.minimum = {2.0 * (0.1 + 0.0114), -0.1, -2.01};
     box.maximum = {0.5, 0.1, -2.0};
     const OccluderSet set = setOf(box);
-    EXPECT_TRUE(shadowNeed(setting.light, setting.pose, setting.air, {}, set, 64, scratch).needed);
-    EXPECT_FALSE(shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, scratch).needed);
+    EXPECT_TRUE(shadowNeed(setting.light, setting.pose, setting.air, {}, set, 64, needsScratch).needed);
+    EXPECT_FALSE(shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, needsScratch).needed);
 }
 
 // A sheet x = 0.2 w - 2e-6, w the distance along the axis, that passes the lamp at 2 micrometres and behind it as well.
@@ -165,7 +164,7 @@ TEST(ShadowNeed, HoldsBeforeTheNearestNearPlane) {
     box.maximum = {0.21, 2.0, 1.0};
     box.triangles = triangles;
     const OccluderSet set = setOf(box);
-    const ShadowNeed need = shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, scratch);
+    const ShadowNeed need = shadowNeed(setting.light, setting.pose, setting.air, {}, set, 1024, needsScratch);
     ASSERT_TRUE(need.needed);
     for (const double s : {-0.3, -0.1, 0.0, 0.1, 0.19}) {
         EXPECT_LE(need.firstOccluder, 2e-6 / (0.2 - s)) << s;
@@ -188,7 +187,7 @@ TEST(ShadowNeed, LeavesTheWallItselfOut) {
     box.maximum = {2.0, 2.0, -4.0};
     const auto needed = [&] {
         const OccluderSet set = setOf(box);
-        return shadowNeed(setting.light, setting.pose, setting.air, walls, set, 1024, scratch);
+        return shadowNeed(setting.light, setting.pose, setting.air, walls, set, 1024, needsScratch);
     };
     EXPECT_FALSE(needed().needed);
     box.maximum.z = -3.9;

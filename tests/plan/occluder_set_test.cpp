@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "allocations.h"
+#include "numbers.h"
 #include "survey_scenes.h"
 
 namespace tyndall {
@@ -171,9 +172,6 @@ void expectRefused(void (*change)(OccluderBox&), const std::string& words) {
     EXPECT_EQ(set.error().place, "occluder set");
     EXPECT_EQ(set.error().message.find("occluder set: box 1 has " + words), 0u) << set.error().message;
 }
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(OccluderSet, RefusesBoxesThatAreNone) {
     expectRefused([](OccluderBox& b) { b.minimum.y = nan; }, "the corner");

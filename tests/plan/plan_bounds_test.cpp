@@ -3,15 +3,13 @@
 
 #include <functional>
 
+#include "numbers.h"
 #include "plan_scenes.h"
 
 namespace tyndall {
 namespace {
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Given {
     Light light = projector();

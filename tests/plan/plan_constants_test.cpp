@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-SliceConstants constantsOf(const Scene& scene, const PlanOptions& options) {
+SliceConstants firstConstants(const Scene& scene, const PlanOptions& options) {
     const Plan result = planned({scene.light}, scene.view, options);
     EXPECT_TRUE(!result.lights.empty() && result.lights[0].drawn);
     return result.constants.empty() ? SliceConstants{} : result.constants[0];
@@ -25,7 +25,7 @@ TEST(Constants, ProjectAsTheSlideDoes) {
     Random random(2);
     for (int trial = 0; trial < 5; ++trial) {
         const Scene scene = randomScene(random);
-        const SliceConstants constants = constantsOf(scene, slices(4));
+        const SliceConstants constants = firstConstants(scene, slices(4));
         for (int sample = 0; sample < 50; ++sample) {
             // Two angles give a ray from the lamp; its slide coordinates are those of its intersection with the slide.
             const double toRight = between(random, -20.0, 20.0) * degrees;
@@ -58,7 +58,7 @@ TEST(Constants, OfThePhysicalLook) {
     scene.light.intensity = 300.0;
     scene.light.ambient = 2.0;
     scene.light.density = 0.03;
-    const SliceConstants constants = constantsOf(scene, slices(50));
+    const SliceConstants constants = firstConstants(scene, slices(50));
     EXPECT_EQ(constants.attenuation, glm::vec4(300.0f, 2.0f, 1.0f, 0.0f));
     EXPECT_EQ(constants.dust.x, 1.0f);
     for (int i = 0; i < 3; ++i)
@@ -70,7 +70,7 @@ TEST(Constants, OfThePhysicalLook) {
 TEST(Constants, OfAnOrthographicView) {
     Scene scene = someScene();
     scene.view = orthographicView(scene.view.worldFromView, 8.0, 8.0, 0.01, 100.0);
-    EXPECT_EQ(constantsOf(scene, slices(50)).weight, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f)) << "no ray is slanted";
+    EXPECT_EQ(firstConstants(scene, slices(50)).weight, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f)) << "no ray is slanted";
 }
 
 TEST(Constants, OfTheArticle) {
@@ -82,7 +82,7 @@ TEST(Constants, OfTheArticle) {
     options.look = Look::Article;
     options.accumulation = Accumulation::Rgba8;
     options.range = 2.0;
-    const SliceConstants constants = constantsOf(scene, options);
+    const SliceConstants constants = firstConstants(scene, options);
     EXPECT_EQ(constants.attenuation, glm::vec4(20000.0f, 0.25f, 39.37007874f, 0.0f)) << "inches to the metre";
     EXPECT_EQ(constants.dust, glm::vec4(0.015f, 0.05f, 0.0f, 0.0f));
     EXPECT_EQ(constants.weight, glm::vec4(18.0f, 0.0f, 0.0f, 0.0f)) << "9 / (50 / 100)";
@@ -92,7 +92,7 @@ TEST(Constants, OfTheArticle) {
 TEST(Constants, ScaleToTheTargetsRange) {
     const Scene scene = someScene();
     PlanOptions options = slices(8);
-    const float whole = constantsOf(scene, options).colour.r;
+    const float whole = firstConstants(scene, options).colour.r;
     options.range = 5.0;
     for (const auto& [accumulation, scale] :
          std::vector<std::pair<Accumulation, double>>{{Accumulation::Rgba8, 0.2},
@@ -101,7 +101,7 @@ TEST(Constants, ScaleToTheTargetsRange) {
                                                       {Accumulation::Rgba32f, 1.0}}) {
         options.accumulation = accumulation;
         EXPECT_EQ(planned({scene.light}, scene.view, options).scale, scale);
-        EXPECT_FLOAT_EQ(constantsOf(scene, options).colour.r, static_cast<float>(whole * scale));
+        EXPECT_FLOAT_EQ(firstConstants(scene, options).colour.r, static_cast<float>(whole * scale));
     }
 }
 
@@ -110,7 +110,7 @@ TEST(Constants, NoiseScrollsWithoutLosingItsPhase) {
     scene.light.noise = Noise{{3.0, 4.0}, {0.25, -0.25}, {-1.5, 0.02}, 2.0};
     PlanOptions options = slices(8);
     options.time = 3.0;
-    SliceConstants constants = constantsOf(scene, options);
+    SliceConstants constants = firstConstants(scene, options);
     EXPECT_EQ(constants.noise1, glm::vec4(3.0f, 4.0f, 0.75f, 0.25f));
     EXPECT_EQ(constants.noise2.x, 3.0f);
     EXPECT_EQ(constants.noise2.y, 4.0f);
@@ -120,13 +120,13 @@ TEST(Constants, NoiseScrollsWithoutLosingItsPhase) {
 
     // A million hours later, after whole turns, nothing has changed.
     options.time += 3.6e9;
-    const SliceConstants later = constantsOf(scene, options);
+    const SliceConstants later = firstConstants(scene, options);
     EXPECT_EQ(later.noise1, constants.noise1);
     EXPECT_NEAR(later.noise2.w, constants.noise2.w, 1e-7);
 
     // Just before zero is just before a whole turn, which a float rounds to 1.
     options.time = -1e-12;
-    constants = constantsOf(scene, options);
+    constants = firstConstants(scene, options);
     for (const glm::vec4& map : {constants.noise1, constants.noise2})
         for (const float part : {map.z, map.w}) {
             EXPECT_GE(part, 0.0f);
@@ -138,10 +138,10 @@ TEST(Constants, ForcedNoiseOnWhiteLooksLikeNone) {
     Scene scene = someScene();
     PlanOptions options = slices(8);
     options.terms = TermSet{Term::Noise};
-    EXPECT_EQ(constantsOf(scene, options).dust.y, 1.0f);
-    EXPECT_EQ(constantsOf(scene, options).noise1.x, 3.0f) << "the default's scale";
+    EXPECT_EQ(firstConstants(scene, options).dust.y, 1.0f);
+    EXPECT_EQ(firstConstants(scene, options).noise1.x, 3.0f) << "the default's scale";
     options.look = Look::Article;
-    EXPECT_EQ(constantsOf(scene, options).dust.y, 0.015f) << "as flat as without noise";
+    EXPECT_EQ(firstConstants(scene, options).dust.y, 0.015f) << "as flat as without noise";
 }
 
 TEST(Constants, ShadowBiasStaysThisSideOfTheNearPlane) {
@@ -149,10 +149,10 @@ TEST(Constants, ShadowBiasStaysThisSideOfTheNearPlane) {
     PlanOptions options = slices(8);
     options.shadowMapSize = 2048;
     options.shadowBias = 0.01;
-    EXPECT_EQ(constantsOf(scene, options).shadow.z, 2048.0f);
-    EXPECT_EQ(constantsOf(scene, options).shadow.w, 0.01f);
+    EXPECT_EQ(firstConstants(scene, options).shadow.z, 2048.0f);
+    EXPECT_EQ(firstConstants(scene, options).shadow.w, 0.01f);
     options.shadowBias = 10.0;  // the near plane lies at 0.5
-    const glm::vec4 shadow = constantsOf(scene, options).shadow;
+    const glm::vec4 shadow = firstConstants(scene, options).shadow;
     EXPECT_GT(shadow.x + shadow.y / (0.5f - shadow.w), 1.0f) << "what touches the lamp is lit, not behind it";
 }
 

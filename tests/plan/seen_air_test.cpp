@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "numbers.h"
 #include "plan_scenes.h"
 #include "visibility/light_volume.h"
 
@@ -10,8 +11,6 @@ namespace tyndall {
 namespace {
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Shot {
     Light light;

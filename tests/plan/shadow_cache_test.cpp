@@ -10,9 +10,9 @@
 namespace tyndall {
 namespace {
 
-constexpr std::uint32_t size = 512;
+constexpr std::uint32_t cachedSide = 512;
 
-Light lamp() {
+Light cacheLamp() {
     Light light;
     light.worldFromLight[3] = {1.0, 2.0, 3.0, 1.0};
     return light;
@@ -28,8 +28,8 @@ std::vector<ShadowCaster> twoCasters() {
 
 class ShadowCacheTest : public testing::Test {
 protected:
-    ShadowCacheTest() { cache.drawn(0, light, casters, size); }
-    bool stale(std::uint32_t side = size) const { return cache.stale(0, light, casters, side); }
+    ShadowCacheTest() { cache.drawn(0, light, casters, cachedSide); }
+    bool stale(std::uint32_t side = cachedSide) const { return cache.stale(0, light, casters, side); }
 
     /// The smallest change of one value makes the map stale; the old value makes it fresh again.
     void expectCounts(double& value) {
@@ -43,7 +43,7 @@ protected:
         }
     }
 
-    Light light = lamp();
+    Light light = cacheLamp();
     std::vector<ShadowCaster> casters = twoCasters();
     ShadowCache cache;
 };
@@ -52,7 +52,7 @@ TEST_F(ShadowCacheTest, EveryNumberOfTheLightsPyramidCounts) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) expectCounts(light.worldFromLight[column][row]);
     for (double* const value : {&light.fov.x, &light.fov.y, &light.nearPlane, &light.farPlane}) expectCounts(*value);
-    EXPECT_TRUE(stale(size + 1));
+    EXPECT_TRUE(stale(cachedSide + 1));
     std::swap(light.worldFromLight[0][1], light.worldFromLight[3][1]);
     EXPECT_TRUE(stale()) << "the same values in other places";
 }
@@ -93,7 +93,7 @@ TEST_F(ShadowCacheTest, CastersThatComeAndGoCount) {
     EXPECT_TRUE(stale()) << "a pair of the same does not cancel";
     casters.clear();
     EXPECT_TRUE(stale());
-    cache.drawn(0, light, casters, size);
+    cache.drawn(0, light, casters, cachedSide);
     EXPECT_FALSE(stale()) << "an empty map is a map too";
 }
 
@@ -111,23 +111,23 @@ TEST_F(ShadowCacheTest, BothZerosAreOneAndSoAreAllNans) {
     casters[0].worldFromMesh[2][0] = -0.0;
     EXPECT_FALSE(stale());
     casters[0].worldFromMesh[2][0] = std::numeric_limits<double>::quiet_NaN();
-    cache.drawn(0, light, casters, size);
+    cache.drawn(0, light, casters, cachedSide);
     casters[0].worldFromMesh[2][0] = -std::nan("17");
     EXPECT_FALSE(stale());
 }
 
 TEST_F(ShadowCacheTest, LightsAreApart) {
-    cache.drawn(5, light, casters, size);
-    for (const std::size_t unknown : {1, 4, 6, 1000000}) EXPECT_TRUE(cache.stale(unknown, light, casters, size));
+    cache.drawn(5, light, casters, cachedSide);
+    for (const std::size_t unknown : {1, 4, 6, 1000000}) EXPECT_TRUE(cache.stale(unknown, light, casters, cachedSide));
     Light other = light;
     other.worldFromLight[3].y += 1.0;
-    EXPECT_TRUE(cache.stale(5, other, casters, size));
-    cache.drawn(5, other, casters, size);
-    EXPECT_FALSE(cache.stale(5, other, casters, size));
+    EXPECT_TRUE(cache.stale(5, other, casters, cachedSide));
+    cache.drawn(5, other, casters, cachedSide);
+    EXPECT_FALSE(cache.stale(5, other, casters, cachedSide));
     EXPECT_FALSE(stale());
     cache.invalidate(5);
     cache.invalidate(1000000);
-    EXPECT_TRUE(cache.stale(5, other, casters, size));
+    EXPECT_TRUE(cache.stale(5, other, casters, cachedSide));
     EXPECT_FALSE(stale());
     cache.invalidate();
     EXPECT_TRUE(stale());
@@ -138,7 +138,7 @@ TEST_F(ShadowCacheTest, AskingAndDrawingAgainAllocateNothing) {
     bool any = false;
     for (int frame = 0; frame < 100; ++frame) {
         any = any || stale();
-        cache.drawn(0, light, casters, size);
+        cache.drawn(0, light, casters, cachedSide);
     }
     EXPECT_EQ(test::allocations(), before);
     EXPECT_FALSE(any);

@@ -4,14 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "numbers.h"
 #include "plan_scenes.h"
 
 namespace tyndall {
 namespace {
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 PlanOptions adaptive(int slices, std::uint32_t pictureHeight = 0) {
     PlanOptions options;

@@ -1,6 +1,7 @@
 // Invalid surroundings give an error and no plan.
 #include <gtest/gtest.h>
 
+#include "numbers.h"
 #include "plan_scenes.h"
 
 namespace tyndall {
@@ -45,8 +46,6 @@ void expectRefused(void (*change)(Bad&), const std::string& words) {
     EXPECT_NE(whyRefused(bad).find(words), std::string::npos) << words << " / " << whyRefused(bad);
     EXPECT_EQ(whyRefused(bad).find("surroundings: "), 0u) << words;
 }
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Surroundings, AreTakenWhereTheyMakeSense) {
     EXPECT_EQ(whyRefused(Bad{}), "");

@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 #include <tyndall/view.h>
 
+#include "numbers.h"
 #include "plan_scenes.h"
 
 namespace tyndall {
 namespace {
 
 using namespace test;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 glm::dvec3 projected(const View& view, const glm::dvec3& point) {
     const glm::dvec4 clip = view.clipFromView * glm::dvec4(point, 1.0);

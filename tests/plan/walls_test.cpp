@@ -19,8 +19,8 @@ double hit(const glm::dvec3& from, const glm::dvec3& direction, const Triangle& 
     const double det = glm::determinant(system);
     if (det == 0.0) return std::numeric_limits<double>::infinity();
     const glm::dvec3 x = glm::inverse(system) * (from - t[0]);
-    constexpr double eps = 1e-9;  // rays along a shared edge hit one of the two
-    const bool inside = x.y >= -eps && x.z >= -eps && x.y + x.z <= 1.0 + eps && x.x > 0.0;
+    constexpr double tolerance = 1e-9;  // rays along a shared edge hit one of the two
+    const bool inside = x.y >= -tolerance && x.z >= -tolerance && x.y + x.z <= 1.0 + tolerance && x.x > 0.0;
     return inside ? x.x : std::numeric_limits<double>::infinity();
 }
 

@@ -13,7 +13,7 @@
 namespace tyndall::rig {
 namespace {
 
-constexpr const char* kEffect = R"(
+constexpr const char* kTypesEffect = R"(
 float gOne; float3 gThree; int gCount; uint gMask; bool gOn;
 float4x4 gSquare; row_major float4x4 gByRows; float2x3 gWide;
 float4 gMany[3]; float gLoose[2];
@@ -29,7 +29,7 @@ technique t { pass { VertexShader = compile vs_3_0 vs_main(); PixelShader = comp
 struct BlockLayout : testing::Test {
     test::Folder folder;
     permgen::Result<permgen::LoadedEffect> loaded =
-        permgen::load_manifest(test::compileEffect(folder.path(), "types", kEffect));
+        permgen::load_manifest(test::compileEffect(folder.path(), "types", kTypesEffect));
     const permgen::Effect& effect = loaded.value().tables();
     std::vector<BlockMember> members = blockMembers(effect).value();
 

@@ -11,17 +11,18 @@
 namespace tyndall::test {
 namespace {
 
-const std::string kEffect = EXAMPLE "/cel.fx", kFixture = EXAMPLE "/cel.rig.json", kGoldens = EXAMPLE "/goldens";
+const std::string kCelEffect = EXAMPLE "/cel.fx", kCelFixture = EXAMPLE "/cel.rig.json",
+                  kCelGoldens = EXAMPLE "/goldens";
 
 struct PlantedFault : testing::Test {
     Folder folder;
     std::string report = folder.at("report");
 
     Ran tryOut(const std::string& manifest) {
-        return runProgram({PERMGEN_RIG, manifest, kFixture, "--goldens", kGoldens, "--report", report});
+        return runProgram({PERMGEN_RIG, manifest, kCelFixture, "--goldens", kCelGoldens, "--report", report});
     }
     Ran tryOutWith(const std::string& from, const std::string& to) {
-        return tryOut(compileEffect(folder.path(), "cel", replaced(readText(kEffect), from, to)));
+        return tryOut(compileEffect(folder.path(), "cel", replaced(readText(kCelEffect), from, to)));
     }
     /// The report's entry of that technique, pass and check.
     nlohmann::json entry(const std::string& technique, const std::string& pass, const std::string& check) {
@@ -51,7 +52,7 @@ std::string verdicts(const std::string& text) {
 }
 
 TEST_F(PlantedFault, NoneIsFoundWhereThereIsNone) {
-    const Ran ran = tryOut(compileEffect(folder.path(), "cel", readText(kEffect)));
+    const Ran ran = tryOut(compileEffect(folder.path(), "cel", readText(kCelEffect)));
     EXPECT_EQ(ran.status, 0) << ran.text;
     EXPECT_EQ(verdicts(ran.text),
               "ok    smooth\nok    three_bands\nok    five_bands_paper\nok    drawing\nok    drawing_crossed\n");
@@ -106,7 +107,7 @@ std::string frozenPixel(const std::string& manifest, std::size_t technique) {
 }
 
 TEST_F(PlantedFault, AFrozenModuleThatIsAnotherTechniques) {
-    const std::string manifest = compileEffect(folder.path(), "cel", readText(kEffect));
+    const std::string manifest = compileEffect(folder.path(), "cel", readText(kCelEffect));
     writeText(frozenPixel(manifest, 0), readText(frozenPixel(manifest, 1)));
     const Ran ran = tryOut(manifest);
     EXPECT_EQ(ran.status, 1);
@@ -115,7 +116,7 @@ TEST_F(PlantedFault, AFrozenModuleThatIsAnotherTechniques) {
 }
 
 TEST_F(PlantedFault, AResourceThatIsSaidToBeDeadAndIsNot) {
-    const std::string manifest = compileEffect(folder.path(), "cel", readText(kEffect));
+    const std::string manifest = compileEffect(folder.path(), "cel", readText(kCelEffect));
     // five_bands_paper without its paper, in the list and in the frozen module; the switches still select it.
     auto json = nlohmann::ordered_json::parse(readText(manifest));
     json["techniques"][2]["passes"][0]["live"] = {"Globals"};
@@ -130,7 +131,7 @@ TEST_F(PlantedFault, AResourceThatIsSaidToBeDeadAndIsNot) {
 }
 
 TEST_F(PlantedFault, AModuleThatReadsWhatIsNotBoundIsHeardOfFromValidation) {
-    const std::string manifest = compileEffect(folder.path(), "cel", readText(kEffect));
+    const std::string manifest = compileEffect(folder.path(), "cel", readText(kCelEffect));
     auto json = nlohmann::ordered_json::parse(readText(manifest));
     json["techniques"][2]["passes"][0]["live"] = {"Globals"};
     writeText(manifest, json.dump(2));
@@ -142,7 +143,7 @@ TEST_F(PlantedFault, AModuleThatReadsWhatIsNotBoundIsHeardOfFromValidation) {
 
 TEST_F(PlantedFault, APassThatIsWholeAgainTakesItsEntryAway) {
     EXPECT_EQ(tryOutWith("PENCIL(0.6, false)", "PENCIL(0.61, false)").status, 1);
-    EXPECT_EQ(tryOut(compileEffect(folder.path(), "cel", readText(kEffect))).status, 0);
+    EXPECT_EQ(tryOut(compileEffect(folder.path(), "cel", readText(kCelEffect))).status, 0);
     EXPECT_TRUE(std::filesystem::is_empty(report + "/entries"));
     EXPECT_NE(readText(report + "/index.html").find("Nothing fails"), std::string::npos);
 }

@@ -67,7 +67,7 @@ std::vector<float> shadowMap(const Light& light, std::vector<Occluder> occluders
 }
 
 // Depth is interpolated from vertices whose z / w is rounded to binary32: a few steps of 2^-24.
-constexpr double bound = 8 * 0x1p-24;
+constexpr double depthStep = 8 * 0x1p-24;
 
 using RecordShadowMap = GpuTest;
 
@@ -75,7 +75,7 @@ TEST_F(RecordShadowMap, HoldsThePlanesReversedDepth) {
     for (const double axis : {0.75, 2.0, 7.0, 19.0}) {
         const float wide = 2.0f * static_cast<float>(axis);
         const Rectangle wall({-wide, -wide}, {wide, wide}, static_cast<float>(axis));
-        for (const float depth : shadowMap(spot(), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(axis), bound);
+        for (const float depth : shadowMap(spot(), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(axis), depthStep);
     }
 }
 
@@ -95,32 +95,32 @@ TEST_F(RecordShadowMap, PutsLightSpaceXToTheRightAndYToTheTop) {
     const std::vector<float> map = shadowMap(spot(), {quarter.occluder});
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x)
-            EXPECT_NEAR(map[y * 16 + x], x < 8 && y < 8 ? reversedDepth(2.0) : 0.0, bound) << x << ", " << y;
+            EXPECT_NEAR(map[y * 16 + x], x < 8 && y < 8 ? reversedDepth(2.0) : 0.0, depthStep) << x << ", " << y;
 }
 
 TEST_F(RecordShadowMap, TheNearestWinsWhicheverIsDrawnFirst) {
     const Rectangle nearer({-9.0f, -9.0f}, {9.0f, 9.0f}, 2.0f), farther({-9.0f, -9.0f}, {9.0f, 9.0f}, 5.0f);
     for (const float depth : shadowMap(spot(), {nearer.occluder, farther.occluder}))
-        EXPECT_NEAR(depth, reversedDepth(2.0), bound);
+        EXPECT_NEAR(depth, reversedDepth(2.0), depthStep);
     for (const float depth : shadowMap(spot(), {farther.occluder, nearer.occluder}))
-        EXPECT_NEAR(depth, reversedDepth(2.0), bound);
+        EXPECT_NEAR(depth, reversedDepth(2.0), depthStep);
 }
 
 TEST_F(RecordShadowMap, DrawsBothFaces) {
     for (const bool turned : {false, true}) {
         const Rectangle wall({-9.0f, -9.0f}, {9.0f, 9.0f}, 3.0f, turned);
-        for (const float depth : shadowMap(spot(), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(3.0), bound);
+        for (const float depth : shadowMap(spot(), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(3.0), depthStep);
     }
 }
 
 TEST_F(RecordShadowMap, ReadsInterleavedVerticesAndOffsets) {
     Rectangle wall({-9.0f, -9.0f}, {9.0f, 9.0f}, 3.0f, false, 32);
-    for (const float depth : shadowMap(spot(), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(3.0), bound);
+    for (const float depth : shadowMap(spot(), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(3.0), depthStep);
     // The second triangle alone: above the diagonal from lower left to upper right.
     wall.occluder.indexOffset = 12;
     wall.occluder.indexCount = 3;
     const std::vector<float> map = shadowMap(spot(), {wall.occluder});
-    EXPECT_NEAR(map[1 * 16 + 2], reversedDepth(3.0), bound);
+    EXPECT_NEAR(map[1 * 16 + 2], reversedDepth(3.0), depthStep);
     EXPECT_EQ(map[14 * 16 + 13], 0.0f);
 }
 
@@ -131,7 +131,7 @@ TEST_F(RecordShadowMap, FarFromTheOriginNothingIsLost) {
     Rectangle wall({-9.0f, -9.0f}, {9.0f, 9.0f}, 2.0f);
     wall.occluder.worldFromMesh = away;
     // The doubles themselves are 2.9e-11 m apart there: nothing beside the bound.
-    for (const float depth : shadowMap(spot(away), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(2.0), bound);
+    for (const float depth : shadowMap(spot(away), {wall.occluder})) EXPECT_NEAR(depth, reversedDepth(2.0), depthStep);
 }
 
 }  // namespace

@@ -230,7 +230,7 @@ TEST(Scattering, TheOppositeRaySeesTheOppositeG) {
     EXPECT_GT(lit, 60);
 }
 
-ReferenceImage render(const ReferenceScene& scene) {
+ReferenceImage rendered(const ReferenceScene& scene) {
     auto image = study::reference(scene);
     if (!image) throw std::runtime_error(image.error().message);
     return std::move(*image);
@@ -241,10 +241,10 @@ TEST(Scattering, StrongerExtinctionIsNeverBrighter) {
     for (std::uint64_t seed = 200; seed < 212; ++seed) {
         ReferenceScene scene = scatteringScene(seed, seed % 2 == 0 ? Mode::Ideal : Mode::Hardware);
         for (auto& light : scene.lights) light.light.albedo.reset();
-        ReferenceImage before = render(scene);
+        ReferenceImage before = rendered(scene);
         for (const double albedo : {1.0, 0.5, 0.1, 0.001, 1e-5}) {
             for (auto& light : scene.lights) light.light.albedo = albedo;
-            ReferenceImage after = render(scene);
+            ReferenceImage after = rendered(scene);
             for (std::size_t i = 0; i < after.radiance.size(); ++i)
                 for (int c = 0; c < 3; ++c) {
                     EXPECT_TRUE(std::isfinite(after.radiance[i][c]));

@@ -6,12 +6,6 @@
 #include "pose.h"
 
 namespace tyndall::app {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
-
-}  // namespace
-
 Result<Camera> readCamera(const tinygltf::Model& model, std::size_t node, const glm::dmat4& pose) {
     const tinygltf::Camera& source = model.cameras[static_cast<std::size_t>(model.nodes[node].camera)];
     Camera camera;
@@ -25,7 +19,7 @@ Result<Camera> readCamera(const tinygltf::Model& model, std::size_t node, const 
         camera.verticalFov = source.perspective.yfov;
         if (!(camera.verticalFov > 0.0 && camera.verticalFov < std::numbers::pi))
             return fail("{} has a vertical field of view of {:g} degrees; it must lie between 0 and 180", place,
-                        camera.verticalFov / degree);
+                        camera.verticalFov * 180.0 / std::numbers::pi);
         camera.nearPlane = source.perspective.znear;
         if (source.perspective.zfar != 0.0) camera.farPlane = source.perspective.zfar;
     } else if (source.type == "orthographic") {

@@ -11,7 +11,7 @@
 namespace tyndall {
 namespace {
 
-const std::string place = "blocker set";
+const std::string blockerSetPlace = "blocker set";
 
 /// Metres, as Blocker says.
 constexpr double maxOffPlane = 5e-4;
@@ -20,8 +20,8 @@ Result<void> checkFinite(const Blocker& blocker, std::size_t index) {
     for (const std::array<glm::dvec3, 3>& triangle : blocker.triangles)
         for (const glm::dvec3& corner : triangle)
             if (!isFinite(corner))
-                return broken(place + ": blocker " + std::to_string(index) + " has a corner at " + text(corner) +
-                              ": it must be finite; check what it was computed from");
+                return broken(blockerSetPlace + ": blocker " + std::to_string(index) + " has a corner at " +
+                              text(corner) + ": it must be finite; check what it was computed from");
     return {};
 }
 
@@ -57,8 +57,8 @@ Result<void> checkFlat(const Blocker& blocker, const BlockerBounds& bounds, std:
             // Relative to a point of the plane: far from the origin, its offset has lost its digits.
             const double off = std::fabs(glm::dot(glm::dvec3(bounds.plane), corner - bounds.centre));
             if (off > maxOffPlane)
-                return broken(place + ": blocker " + std::to_string(index) + " has a corner at " + text(corner) + ", " +
-                              text(off) +
+                return broken(blockerSetPlace + ": blocker " + std::to_string(index) + " has a corner at " +
+                              text(corner) + ", " + text(off) +
                               " m off the plane of its largest triangle: it must lie within 0.0005 m; divide the "
                               "blocker, one for each plane");
         }
@@ -70,10 +70,11 @@ Result<void> checkFlat(const Blocker& blocker, const BlockerBounds& bounds, std:
 Result<BlockerSet> BlockerSet::fromBlockers(std::vector<Blocker> blockers) {
     BlockerSet set;
     for (std::size_t i = 0; i < blockers.size(); ++i) {
-        if (const Result<void> checked = checkFinite(blockers[i], i); !checked) return at(place, checked.error());
+        if (const Result<void> checked = checkFinite(blockers[i], i); !checked)
+            return at(blockerSetPlace, checked.error());
         set.bounds_.push_back(boundsOf(blockers[i]));
         if (const Result<void> checked = checkFlat(blockers[i], set.bounds_[i], i); !checked)
-            return at(place, checked.error());
+            return at(blockerSetPlace, checked.error());
     }
     set.blockers_ = std::move(blockers);
     return set;
@@ -81,7 +82,8 @@ Result<BlockerSet> BlockerSet::fromBlockers(std::vector<Blocker> blockers) {
 
 Result<BlockerSet> BlockerSet::fromMeshes(std::span<const MeshTriangles> meshes,
                                           std::span<const MeshInstance> instances) {
-    if (const Result<void> checked = checkMeshes(place, meshes, instances); !checked) return at(place, checked.error());
+    if (const Result<void> checked = checkMeshes(blockerSetPlace, meshes, instances); !checked)
+        return at(blockerSetPlace, checked.error());
     // Finite corners in mesh space can still be too far for doubles in world space.
     auto set = fromBlockers(findBlockers(meshes, instances));
     if (set) set->instances_.assign(instances.begin(), instances.end());
@@ -91,7 +93,7 @@ Result<BlockerSet> BlockerSet::fromMeshes(std::span<const MeshTriangles> meshes,
 Result<bool> BlockerSet::update(std::span<const MeshTriangles> meshes, std::span<const MeshInstance> instances) {
     if (std::ranges::equal(instances, instances_, sameInstance)) return false;
     Result<BlockerSet> found = fromMeshes(meshes, instances);
-    if (!found) return at(place, found.error());
+    if (!found) return at(blockerSetPlace, found.error());
     *this = std::move(*found);
     return true;
 }

@@ -9,7 +9,7 @@
 namespace tyndall {
 namespace {
 
-const std::string place = "depth survey";
+const std::string depthSurveyPlace = "depth survey";
 
 constexpr std::uint32_t maxColumns = 16, maxRows = 9;
 
@@ -54,13 +54,13 @@ Pixels pixelsOf(std::uint32_t tile, std::uint32_t tiles, std::uint32_t side) {
 
 Result<void> check(std::span<const float> depths, std::uint32_t width, std::uint32_t height, const View& view) {
     if (width == 0 || height == 0 || depths.size() != std::size_t{width} * height)
-        return broken(place + ": there are " + std::to_string(depths.size()) + " depths for " + std::to_string(width) +
-                      " x " + std::to_string(height) +
+        return broken(depthSurveyPlace + ": there are " + std::to_string(depths.size()) + " depths for " +
+                      std::to_string(width) + " x " + std::to_string(height) +
                       " pixels: there must be width * height of them, one at least; give the whole depth buffer");
     const glm::dvec4 row = glm::transpose(view.clipFromView)[2];
     if (row.x != 0.0 || row.y != 0.0)
-        return broken(place + ": clipFromView has the third row (" + text(row.x) + ", " + text(row.y) + ", " +
-                      text(row.z) + ", " + text(row.w) +
+        return broken(depthSurveyPlace + ": clipFromView has the third row (" + text(row.x) + ", " + text(row.y) +
+                      ", " + text(row.z) + ", " + text(row.w) +
                       "): depth must not depend on x and y; plan without depth tiles where the near plane is oblique");
     return {};
 }
@@ -70,7 +70,8 @@ Result<void> check(std::span<const float> depths, std::uint32_t width, std::uint
 Result<void> surveyDepth(std::span<const float> depths, std::uint32_t width, std::uint32_t height, const View& view,
                          DepthSurvey& survey) {
     if (const Result<void> checked = checkView(view); !checked) return at("view", checked.error());
-    if (const Result<void> checked = check(depths, width, height, view); !checked) return at(place, checked.error());
+    if (const Result<void> checked = check(depths, width, height, view); !checked)
+        return at(depthSurveyPlace, checked.error());
     survey.columns = std::min(maxColumns, width);
     survey.rows = std::min(maxRows, height);
     survey.tiles.clear();

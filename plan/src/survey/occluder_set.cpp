@@ -11,10 +11,10 @@
 namespace tyndall {
 namespace {
 
-const std::string place = "occluder set";
+const std::string occluderSetPlace = "occluder set";
 
 Result<void> checkBox(const OccluderBox& box, std::size_t index) {
-    const auto name = [&] { return place + ": box " + std::to_string(index); };
+    const auto name = [&] { return occluderSetPlace + ": box " + std::to_string(index); };
     if (!isAffine(box.worldFromBox)) return broken(notAffine(name(), "worldFromBox"));
     if (!isFinite(box.minimum) || !isFinite(box.maximum) || glm::any(glm::greaterThan(box.minimum, box.maximum)))
         return broken(name() + " has the corners " + text(box.minimum) + " and " + text(box.maximum) +
@@ -61,7 +61,8 @@ void OccluderSet::bound(const Instance& instance) {
 
 Result<OccluderSet> OccluderSet::fromMeshes(std::span<const MeshTriangles> meshes,
                                             std::span<const MeshInstance> instances) {
-    if (const Result<void> checked = checkMeshes(place, meshes, instances); !checked) return at(place, checked.error());
+    if (const Result<void> checked = checkMeshes(occluderSetPlace, meshes, instances); !checked)
+        return at(occluderSetPlace, checked.error());
     OccluderSet set;
     std::vector<std::size_t> firstBoxes{0};  // by mesh, and behind the last
     for (const MeshTriangles& mesh : meshes) {
@@ -81,7 +82,7 @@ Result<OccluderSet> OccluderSet::fromMeshes(std::span<const MeshTriangles> meshe
 
 Result<OccluderSet> OccluderSet::fromBoxes(std::span<const OccluderBox> boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (const Result<void> checked = checkBox(boxes[i], i); !checked) return at(place, checked.error());
+        if (const Result<void> checked = checkBox(boxes[i], i); !checked) return at(occluderSetPlace, checked.error());
     OccluderSet set;
     for (const OccluderBox& box : boxes) {
         set.boxes_.push_back({box.minimum, box.maximum, set.triangles_.size(), box.triangles.size()});
@@ -93,11 +94,12 @@ Result<OccluderSet> OccluderSet::fromBoxes(std::span<const OccluderBox> boxes) {
 
 Result<bool> OccluderSet::move(std::size_t instance, const glm::dmat4& worldFromMesh) {
     if (instance >= instances_.size())
-        return broken(place + ": instance " + std::to_string(instance) + " of " + std::to_string(instances_.size()) +
+        return broken(occluderSetPlace + ": instance " + std::to_string(instance) + " of " +
+                      std::to_string(instances_.size()) +
                       " is to move: it must be less than their number; make the set anew where instances are added");
     if (instances_[instance].worldFromMesh == worldFromMesh) return false;
     if (!isAffine(worldFromMesh))
-        return broken(notAffine(place + ": instance " + std::to_string(instance), "worldFromMesh"));
+        return broken(notAffine(occluderSetPlace + ": instance " + std::to_string(instance), "worldFromMesh"));
     instances_[instance].worldFromMesh = worldFromMesh;
     bound(instances_[instance]);
     return true;
