@@ -206,43 +206,45 @@ float weight_at(float4 window, float lambda)
     return sides.x * sides.y;
 }
 
-static const float4 whole = float4(1.0, 0.0, 1.0, 0.0);
+// A stretch of the ray that one weight lights. What is before `at` is added up already.
+struct Stretch
+{
+    float  at, end;
+    float4 window;  // see weight_at()
+    bool   whole;   // the weight is 1
+};
 
-// The integral of window * mask * (I / (1 + |slope|^2) + ambient * w^2) over lambda from `first` to `last`.
-float3 integral(Ray ray, float first, float last, float4 window, bool even, bool noise, bool cookie, bool scattering)
+// The integral of weight * mask * (I / (1 + |slope|^2) + ambient * w^2) over the stretch's next step.
+float3 step_on(Ray ray, inout Stretch stretch, bool noise, bool cookie, bool scattering)
 {
     float light = gAttenuation.x / (gAttenuation.z * gAttenuation.z);
     float ambient = gAttenuation.y;
-    float3 sum = float3(0.0, 0.0, 0.0);
-    if (even && !noise && !cookie && !scattering)
+    float first = stretch.at, last = stretch.end;
+    if (stretch.whole && !noise && !cookie && !scattering)
     {
+        stretch.at = last;
         float2 from = ray.slope + first * ray.slopeRate, to = ray.slope + last * ray.slopeRate;
         float extent = last - first;
         float value = light * extent * arc_over_side(ray.arcRate * extent, 1.0 + dot(from, to)) +
                       ambient * extent / (inverse_axis(ray, first) * inverse_axis(ray, last));
         return float3(value, value, value);
     }
-    float lambda = first;
-    [loop] while (lambda < last)
+    last = min(last, step_end(ray, first, noise, cookie, scattering));
+    stretch.at = last;
+    float extent = last - first;
+    float2 at = 0.5 * (first + last) + 0.5 * gaussNode * extent * float2(-1.0, 1.0);
+    float2 slope1 = ray.slope + at.x * ray.slopeRate, slope2 = ray.slope + at.y * ray.slopeRate;
+    float2 strength = light / float2(1.0 + dot(slope1, slope1), 1.0 + dot(slope2, slope2));
+    if (ambient > 0.0)
     {
-        float next = min(last, step_end(ray, lambda, noise, cookie, scattering));
-        float middle = 0.5 * (lambda + next), extent = next - lambda;
-        float2 at = middle + 0.5 * gaussNode * extent * float2(-1.0, 1.0);
-        float2 slope1 = ray.slope + at.x * ray.slopeRate, slope2 = ray.slope + at.y * ray.slopeRate;
-        float2 strength = light / float2(1.0 + dot(slope1, slope1), 1.0 + dot(slope2, slope2));
-        if (ambient > 0.0)
-        {
-            // w^2 may change by any factor: its integral over the step is exact, divided as the two points have it.
-            float2 inverse = float2(inverse_axis(ray, at.x), inverse_axis(ray, at.y));
-            float2 square = 1.0 / (inverse * inverse);
-            float mean = 1.0 / (inverse_axis(ray, lambda) * inverse_axis(ray, next));
-            strength += ambient * mean * square / (0.5 * (square.x + square.y));
-        }
-        sum += 0.5 * extent * (strength.x * weight_at(window, at.x) * mask(ray, at.x, noise, cookie, scattering) +
-                               strength.y * weight_at(window, at.y) * mask(ray, at.y, noise, cookie, scattering));
-        lambda = next;
+        // w^2 may change by any factor: its integral over the step is exact, divided as the two points have it.
+        float2 inverse = float2(inverse_axis(ray, at.x), inverse_axis(ray, at.y));
+        float2 square = 1.0 / (inverse * inverse);
+        float mean = 1.0 / (inverse_axis(ray, first) * inverse_axis(ray, last));
+        strength += ambient * mean * square / (0.5 * (square.x + square.y));
     }
-    return sum;
+    return 0.5 * extent * (strength.x * weight_at(stretch.window, at.x) * mask(ray, at.x, noise, cookie, scattering) +
+                           strength.y * weight_at(stretch.window, at.y) * mask(ray, at.y, noise, cookie, scattering));
 }
 
 // What the shadow map would have to store to block the light exactly here. Clamped as slices.fx clamps it: a map filled
@@ -269,102 +271,166 @@ float2 lit_part(Ray ray, float stored, float first, float last)
     return ray.inverseRate > 0.0 ? float2(border, last) : float2(first, border);
 }
 
-// Walks over the cells of the shadow map: cell (i, j) lies between the centres of the texels i, i + 1 and j, j + 1. Those
-// at the border, from -1 to size - 1, are cut in half by it; both of their texels are the outermost.
-float3 shadowed(Ray ray, bool noise, bool cookie, bool scattering)
+// A walk over the cells of the shadow map: cell (i, j) lies between the centres of the texels i, i + 1 and j, j + 1.
+// Those at the border, from -1 to size - 1, are cut in half by it; both of their texels are the outermost.
+struct Walk
 {
+    float2 origin, rate;   // the ray's place in texels: origin + lambda * rate
+    float2 cell;
+    float  side, level;    // of the current block: 1, 2, 4, ... cells a side, and its level in the hierarchy
+    float  lambda;
+    float  litFrom;        // where the lit stretch began that ends here; below 0: it is dark here
+    bool   done;
+    // The stretches found last: number 0 is the lit air before `first`, 1 to 4 are a cell's texels from `first` to `last`.
+    int    next, lastFound;
+    float  first, last;
+    float2 found;          // that cell
+    float4 stored;         // its texels
+};
+
+Walk walk_along(Ray ray)
+{
+    Walk walk;
     float size = gShadow.z;
-    float lastCell = size - 1.0;
     float2 scale = float2(gCookieScale.x, -gCookieScale.y) * size;
-    float2 origin = 0.5 * size - 0.5 + ray.slope * scale;
-    float2 rate = ray.slopeRate * scale;
-    float2 cell = clamp(floor(origin), -1.0, lastCell);
-    float side = gDepths.w;      // of the current block, in cells: 1, 2, 4, ...
-    float top = side;
-    float level = log2(side) - 1.0;
-    float lambda = 0.0;
-    float litFrom = -1.0;        // where the lit stretch began that ends here; below 0: it is dark here
-    bool done = false;
-    float3 sum = float3(0.0, 0.0, 0.0);
+    walk.origin = 0.5 * size - 0.5 + ray.slope * scale;
+    walk.rate = ray.slopeRate * scale;
+    walk.cell = clamp(floor(walk.origin), -1.0, size - 1.0);
+    walk.side = gDepths.w;
+    walk.level = log2(walk.side) - 1.0;
+    walk.lambda = 0.0;
+    walk.litFrom = -1.0;
+    walk.done = false;
+    walk.next = 1;
+    walk.lastFound = 0;
+    walk.first = walk.last = 0.0;
+    walk.found = walk.cell;
+    walk.stored = float4(0.0, 0.0, 0.0, 0.0);
+    return walk;
+}
 
-    [loop] while (!done)
+// Passes the current block, or goes down to a smaller one.
+void walk_on(Ray ray, inout Walk walk)
+{
+    float lastCell = gShadow.z - 1.0;
+    float2 block = floor(walk.cell / walk.side);
+    float2 edge = walk.side * float2(walk.rate.x > 0.0 ? block.x + 1.0 : block.x,
+                                     walk.rate.y > 0.0 ? block.y + 1.0 : block.y);
+    bool openX = walk.rate.x > 0.0 ? edge.x <= lastCell : walk.rate.x < 0.0 && edge.x > -1.0;
+    bool openY = walk.rate.y > 0.0 ? edge.y <= lastCell : walk.rate.y < 0.0 && edge.y > -1.0;
+    float exitX = openX ? (edge.x - walk.origin.x) / walk.rate.x : 2.0;
+    float exitY = openY ? (edge.y - walk.origin.y) / walk.rate.y : 2.0;
+    float exit = clamp(min(exitX, exitY), walk.lambda, 1.0);
+
+    float here = depth_at(ray, walk.lambda), there = depth_at(ray, exit);
+    float4 stored = float4(0.0, 0.0, 0.0, 0.0);
+    float2 bounds;
+    if (walk.side > 1.0)
     {
-        float2 block = floor(cell / side);
-        float2 edge = side * float2(rate.x > 0.0 ? block.x + 1.0 : block.x, rate.y > 0.0 ? block.y + 1.0 : block.y);
-        bool openX = rate.x > 0.0 ? edge.x <= lastCell : rate.x < 0.0 && edge.x > -1.0;
-        bool openY = rate.y > 0.0 ? edge.y <= lastCell : rate.y < 0.0 && edge.y > -1.0;
-        float exitX = openX ? (edge.x - origin.x) / rate.x : 2.0;
-        float exitY = openY ? (edge.y - origin.y) / rate.y : 2.0;
-        float next = clamp(min(exitX, exitY), lambda, 1.0);
+        float2 uv = (block + 0.5) * walk.side / gDepths.w;
+        bounds = tex2Dlod(ShadowHierarchySampler, float4(uv, 0.0, walk.level)).rg;
+    }
+    else
+    {
+        float2 uv00 = (walk.cell + 0.5) / gShadow.z, uv11 = (walk.cell + 1.5) / gShadow.z;
+        stored.x = tex2Dlod(ShadowMapSampler, float4(uv00, 0.0, 0.0)).r;
+        stored.y = tex2Dlod(ShadowMapSampler, float4(uv11.x, uv00.y, 0.0, 0.0)).r;
+        stored.z = tex2Dlod(ShadowMapSampler, float4(uv00.x, uv11.y, 0.0, 0.0)).r;
+        stored.w = tex2Dlod(ShadowMapSampler, float4(uv11, 0.0, 0.0)).r;
+        bounds = float2(min(min(stored.x, stored.y), min(stored.z, stored.w)),
+                        max(max(stored.x, stored.y), max(stored.z, stored.w)));
+    }
+    bool lit = min(here, there) >= bounds.y;
+    bool dark = max(here, there) < bounds.x;
+    if (!lit && !dark && walk.side > 1.0)
+    {
+        walk.side *= 0.5;
+        walk.level -= 1.0;
+        return;
+    }
 
-        float here = depth_at(ray, lambda), there = depth_at(ray, next);
-        float4 stored;
-        float2 bounds;
-        if (side > 1.0)
-        {
-            float2 uv = (block + 0.5) * side / top;
-            bounds = tex2Dlod(ShadowHierarchySampler, float4(uv, 0.0, level)).rg;
-            stored = bounds.xyxy;
-        }
-        else
-        {
-            float2 uv00 = (cell + 0.5) / size, uv11 = (cell + 1.5) / size;
-            stored.x = tex2Dlod(ShadowMapSampler, float4(uv00, 0.0, 0.0)).r;
-            stored.y = tex2Dlod(ShadowMapSampler, float4(uv11.x, uv00.y, 0.0, 0.0)).r;
-            stored.z = tex2Dlod(ShadowMapSampler, float4(uv00.x, uv11.y, 0.0, 0.0)).r;
-            stored.w = tex2Dlod(ShadowMapSampler, float4(uv11, 0.0, 0.0)).r;
-            bounds = float2(min(min(stored.x, stored.y), min(stored.z, stored.w)),
-                            max(max(stored.x, stored.y), max(stored.z, stored.w)));
-        }
-        bool lit = min(here, there) >= bounds.y;
-        bool dark = max(here, there) < bounds.x;
-        if (!lit && !dark && side > 1.0)
-        {
-            side *= 0.5;
-            level -= 1.0;
-        }
-        else
-        {
-            done = next >= 1.0;
-            if (lit && litFrom < 0.0)
-                litFrom = lambda;
-            if (!lit || done)
-            {
-                // Segment 0: the lit stretch before this cell, or up to the ray's end. 1 to 4: the cell's texels.
-                int first = litFrom < 0.0 ? 1 : 0;
-                int last = lit || dark ? 0 : 4;
-                [loop] for (int k = first; k <= last; ++k)
-                {
-                    float2 part = float2(litFrom, lit ? next : lambda);
-                    float4 window = whole;
-                    if (k > 0)
-                    {
-                        bool right = k == 2 || k == 4, below = k > 2;
-                        part = lit_part(ray, k == 1 ? stored.x : k == 2 ? stored.y : k == 3 ? stored.z : stored.w,
-                                        lambda, next);
-                        float2 from = origin - cell;
-                        window = float4(right ? from.x : 1.0 - from.x, right ? rate.x : -rate.x,
-                                        below ? from.y : 1.0 - from.y, below ? rate.y : -rate.y);
-                    }
-                    sum += integral(ray, part.x, part.y, window, k == 0, noise, cookie, scattering);
-                }
-                litFrom = -1.0;
-            }
+    walk.done = !(exit < 1.0);  // also where it is no number
+    if (lit && walk.litFrom < 0.0)
+        walk.litFrom = walk.lambda;
+    if (!lit || walk.done)
+    {
+        walk.next = walk.litFrom < 0.0 ? 1 : 0;
+        walk.lastFound = lit || dark ? 0 : 4;
+        walk.first = lit ? exit : walk.lambda;
+        walk.last = exit;
+        walk.found = walk.cell;
+        walk.stored = stored;
+    }
 
-            // To the next block, and up one level where blocks of both levels end here.
-            float2 at = clamp(floor(origin + next * rate), block * side, block * side + (side - 1.0));
-            bool x = exitX <= exitY;
-            cell = float2(x ? (rate.x > 0.0 ? edge.x : edge.x - 1.0) : at.x,
-                          x ? at.y : (rate.y > 0.0 ? edge.y : edge.y - 1.0));
-            cell = clamp(cell, -1.0, lastCell);
-            lambda = next;
-            float crossed = (x ? edge.x : edge.y) / (2.0 * side);
-            if (side < top && floor(crossed) == crossed)
-            {
-                side *= 2.0;
-                level += 1.0;
-            }
+    // To the next block, and up one level where blocks of both levels end here.
+    float2 at = clamp(floor(walk.origin + exit * walk.rate), block * walk.side, block * walk.side + (walk.side - 1.0));
+    bool x = exitX <= exitY;
+    float2 cell = float2(x ? (walk.rate.x > 0.0 ? edge.x : edge.x - 1.0) : at.x,
+                         x ? at.y : (walk.rate.y > 0.0 ? edge.y : edge.y - 1.0));
+    walk.cell = clamp(cell, -1.0, lastCell);
+    walk.lambda = exit;
+    float crossed = (x ? edge.x : edge.y) / (2.0 * walk.side);
+    if (walk.side < gDepths.w && floor(crossed) == crossed)
+    {
+        walk.side *= 2.0;
+        walk.level += 1.0;
+    }
+}
+
+// The next of the stretches that the walk has found.
+Stretch take_stretch(Ray ray, inout Walk walk)
+{
+    Stretch stretch;
+    int number = walk.next;
+    walk.next = number + 1;
+    stretch.whole = number == 0;
+    stretch.window = float4(1.0, 0.0, 1.0, 0.0);
+    float2 part = float2(walk.litFrom, walk.first);
+    if (number == 0)
+    {
+        walk.litFrom = -1.0;
+    }
+    else
+    {
+        bool right = number == 2 || number == 4, below = number > 2;
+        float stored = number == 1 ? walk.stored.x : number == 2 ? walk.stored.y :
+                       number == 3 ? walk.stored.z : walk.stored.w;
+        part = lit_part(ray, stored, walk.first, walk.last);
+        float2 from = walk.origin - walk.found;
+        stretch.window = float4(right ? from.x : 1.0 - from.x, right ? walk.rate.x : -walk.rate.x,
+                                below ? from.y : 1.0 - from.y, below ? walk.rate.y : -walk.rate.y);
+    }
+    stretch.at = part.x;
+    stretch.end = part.y;
+    return stretch;
+}
+
+// The integral over the ray's lit air. One loop for the walk and the integration: pixels that are drawn together then
+// integrate together, though their lit stretches begin and end at different steps of their walks.
+float3 lit_air(Ray ray, bool noise, bool shadow, bool cookie, bool scattering)
+{
+    float3 sum = float3(0.0, 0.0, 0.0);
+    Stretch stretch;
+    stretch.at = 0.0;
+    stretch.end = shadow ? 0.0 : 1.0;
+    stretch.window = float4(1.0, 0.0, 1.0, 0.0);
+    stretch.whole = true;
+    Walk walk = walk_along(ray);
+    walk.done = !shadow;
+    bool more = true;
+    [loop] while (more)
+    {
+        if (shadow && !(stretch.at < stretch.end))
+        {
+            if (walk.next <= walk.lastFound)
+                stretch = take_stretch(ray, walk);
+            else if (!walk.done)
+                walk_on(ray, walk);
         }
+        bool lit = stretch.at < stretch.end;
+        if (lit)
+            sum += step_on(ray, stretch, noise, cookie, scattering);
+        more = lit || walk.next <= walk.lastFound || !walk.done;
     }
     return sum;
 }
@@ -431,11 +497,7 @@ float4 ps_main(float2 pixel : VPOS,
     ray.nearDepth = range.x + footDepth + gPixel.z;
     ray.toEye = -direction.xyz / ray.slant;
 
-    float3 sum;
-    if (bShadowMapping)
-        sum = shadowed(ray, bScrollingNoise, bCookie, bScattering);
-    else
-        sum = integral(ray, 0.0, 1.0, whole, true, bScrollingNoise, bCookie, bScattering);
+    float3 sum = lit_air(ray, bScrollingNoise, bShadowMapping, bCookie, bScattering);
     if (!bScrollingNoise)
         sum *= gDust.x;
 
@@ -445,7 +507,8 @@ float4 ps_main(float2 pixel : VPOS,
     return gChannels * float4(gColour.w > 0.0 ? float3(grey, grey, grey) : colour, grey);
 }
 
-// Adds to the target. The ray ends at the surface that it meets; no depth test.
+// The techniques have the names of those of slices.fx with the same terms. They add to the target. The ray ends at the
+// surface that it meets; there is no depth test.
 #define RAYCAST_TECHNIQUE(name, noise, shadow, cookie, scattering) \
     technique name { pass p0 { \
         VertexShader = compile vs_3_0 vs_main(); \
@@ -453,20 +516,20 @@ float4 ps_main(float2 pixel : VPOS,
         AlphaBlendEnable = TRUE; SrcBlend = ONE; DestBlend = ONE; BlendOp = ADD; \
         ZEnable = FALSE; ZWriteEnable = FALSE; CullMode = NONE; } }
 
-RAYCAST_TECHNIQUE(ray_noise_shadow_cookie_technique, true, true, true, false)
-RAYCAST_TECHNIQUE(ray_noise_shadow_nocookie_technique, true, true, false, false)
-RAYCAST_TECHNIQUE(ray_noise_noshadow_cookie_technique, true, false, true, false)
-RAYCAST_TECHNIQUE(ray_noise_noshadow_nocookie_technique, true, false, false, false)
-RAYCAST_TECHNIQUE(ray_nonoise_shadow_cookie_technique, false, true, true, false)
-RAYCAST_TECHNIQUE(ray_nonoise_shadow_nocookie_technique, false, true, false, false)
-RAYCAST_TECHNIQUE(ray_nonoise_noshadow_cookie_technique, false, false, true, false)
-RAYCAST_TECHNIQUE(ray_nonoise_noshadow_nocookie_technique, false, false, false, false)
+RAYCAST_TECHNIQUE(clip_noise_shadow_cookie_technique,       true, true, true, false)
+RAYCAST_TECHNIQUE(clip_noise_shadow_nocookie_technique,     true, true, false, false)
+RAYCAST_TECHNIQUE(clip_noise_noshadow_cookie_technique,     true, false, true, false)
+RAYCAST_TECHNIQUE(clip_noise_noshadow_nocookie_technique,   true, false, false, false)
+RAYCAST_TECHNIQUE(clip_nonoise_shadow_cookie_technique,     false, true, true, false)
+RAYCAST_TECHNIQUE(clip_nonoise_shadow_nocookie_technique,   false, true, false, false)
+RAYCAST_TECHNIQUE(clip_nonoise_noshadow_cookie_technique,   false, false, true, false)
+RAYCAST_TECHNIQUE(clip_nonoise_noshadow_nocookie_technique, false, false, false, false)
 
-RAYCAST_TECHNIQUE(ray_noise_shadow_cookie_scattering_technique, true, true, true, true)
-RAYCAST_TECHNIQUE(ray_noise_shadow_nocookie_scattering_technique, true, true, false, true)
-RAYCAST_TECHNIQUE(ray_noise_noshadow_cookie_scattering_technique, true, false, true, true)
-RAYCAST_TECHNIQUE(ray_noise_noshadow_nocookie_scattering_technique, true, false, false, true)
-RAYCAST_TECHNIQUE(ray_nonoise_shadow_cookie_scattering_technique, false, true, true, true)
-RAYCAST_TECHNIQUE(ray_nonoise_shadow_nocookie_scattering_technique, false, true, false, true)
-RAYCAST_TECHNIQUE(ray_nonoise_noshadow_cookie_scattering_technique, false, false, true, true)
-RAYCAST_TECHNIQUE(ray_nonoise_noshadow_nocookie_scattering_technique, false, false, false, true)
+RAYCAST_TECHNIQUE(clip_noise_shadow_cookie_scattering_technique,       true, true, true, true)
+RAYCAST_TECHNIQUE(clip_noise_shadow_nocookie_scattering_technique,     true, true, false, true)
+RAYCAST_TECHNIQUE(clip_noise_noshadow_cookie_scattering_technique,     true, false, true, true)
+RAYCAST_TECHNIQUE(clip_noise_noshadow_nocookie_scattering_technique,   true, false, false, true)
+RAYCAST_TECHNIQUE(clip_nonoise_shadow_cookie_scattering_technique,     false, true, true, true)
+RAYCAST_TECHNIQUE(clip_nonoise_shadow_nocookie_scattering_technique,   false, true, false, true)
+RAYCAST_TECHNIQUE(clip_nonoise_noshadow_cookie_scattering_technique,   false, false, true, true)
+RAYCAST_TECHNIQUE(clip_nonoise_noshadow_nocookie_scattering_technique, false, false, false, true)

@@ -23,8 +23,8 @@ struct Candidate {
     SeenLight seen;
     NeededTerms needed;
     Slabs slabs;
-    double base = 0.0;        ///< brightestWithoutTerms()
-    double shadowBias = 0.0;  ///< metres along the light's axis
+    double base = 0.0;                           ///< brightestWithoutTerms()
+    double shadowBias = 0.0;                     ///< metres along the light's axis
     std::uint32_t firstCorner = 0, corners = 0;  ///< into ConsiderScratch::outlines; Method::Raycast only
 };
 

@@ -80,8 +80,9 @@ Result<void> resolve(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& p
     for (const PlannedPart& part : parts) {
         if (auto checked = checkPart(plan, part, textures.size()); !checked) return checked;
         if (part.terms != terms || part.method != method || !pipeline.handle) {
-            const auto made = pipelineFor(impl.gpu, impl.pipelines, shaftPipeline(impl, part.method, part.terms, target),
-                                          impl.counters.pipelinesCreated);
+            const auto made =
+                pipelineFor(impl.gpu, impl.pipelines, shaftPipeline(impl, part.method, part.terms, target),
+                            impl.counters.pipelinesCreated);
             if (!made) return tl::unexpected(made.error());
             pipeline = *made;
             terms = part.terms;
@@ -90,9 +91,12 @@ Result<void> resolve(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& p
         const LightTextures& given = textures[plan.lights[part.light].light];
         const auto constants = constantsOf(impl, frame, plan, part, given, targets);
         if (!constants) return tl::unexpected(constants.error());
-        Renderer::Impl::PartDraw draw{&part, pipeline, *constants,
-                                      part.method == Method::Raycast ? sizeof(RaycastConstants) : sizeof(SliceConstants),
-                                      {}};
+        Renderer::Impl::PartDraw draw{
+            &part,
+            pipeline,
+            *constants,
+            part.method == Method::Raycast ? sizeof(RaycastConstants) : sizeof(SliceConstants),
+            {}};
         draw.images.back() = {"SceneDepthSampler", targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
         for (std::size_t i = 0; i < lightSamplers.size(); ++i) {
             const LightSampler& sampler = lightSamplers[i];

@@ -73,9 +73,8 @@ constexpr BlockMember raycastMembers[] = {
 constexpr std::string_view raycastSamplers[] = {"CookieSampler", "ScrollingNoiseSampler", "ShadowMapSampler",
                                                 "ShadowHierarchySampler", "SceneDepthSampler"};
 constexpr auto raycastTechniques = techniqueNames<effects::raycast::technique_count>(effects::raycast::effect);
-constexpr EffectContract raycast{"raycast.fx",    raycastMembers,    sizeof(RaycastConstants),
-                                 raycastSamplers, raycastTechniques, sliceElements,
-                                 true};
+constexpr EffectContract raycast{
+    "raycast.fx", raycastMembers, sizeof(RaycastConstants), raycastSamplers, raycastTechniques, sliceElements, true};
 
 constexpr BlockMember compositeMembers[] = {
     {"gTint", offsetof(CompositeConstants, tint), 16},
@@ -103,8 +102,12 @@ constexpr BlockMember shadowHierarchyMembers[] = {{"gLevel", 0, sizeof(glm::vec4
 constexpr std::string_view shadowHierarchySamplers[] = {"SourceSampler"};
 constexpr auto shadowHierarchyTechniques =
     techniqueNames<effects::shadow_hierarchy::technique_count>(effects::shadow_hierarchy::effect);
-constexpr EffectContract shadowHierarchy{"shadow_hierarchy.fx",     shadowHierarchyMembers,    sizeof(glm::vec4),
-                                         shadowHierarchySamplers,   shadowHierarchyTechniques, screenElements,
+constexpr EffectContract shadowHierarchy{"shadow_hierarchy.fx",
+                                         shadowHierarchyMembers,
+                                         sizeof(glm::vec4),
+                                         shadowHierarchySamplers,
+                                         shadowHierarchyTechniques,
+                                         screenElements,
                                          true};
 
 // These loops look up by value. Under -fsanitize=undefined GCC 12 does not compare an address with null in a constant

@@ -6,7 +6,7 @@
 #include "composite_data.h"
 #include "effect_contract.h"
 #include "effects.h"
-#include "renderer_pipelines.h"
+#include "renderer_impl.h"
 
 namespace tyndall {
 namespace {
@@ -42,8 +42,8 @@ Result<Renderer> Renderer::create(const DeviceContext& context) {
     if (!composite) return tl::unexpected(composite.error());
     const auto shadowMap = choose(context.shadowMap, effects::shadow_map::effect, shadowMapContract(), Shaders::Frozen);
     if (!shadowMap) return tl::unexpected(shadowMap.error());
-    const auto shadowHierarchy = choose(context.shadowHierarchy, effects::shadow_hierarchy::effect,
-                                        shadowHierarchyContract(), Shaders::Frozen);
+    const auto shadowHierarchy =
+        choose(context.shadowHierarchy, effects::shadow_hierarchy::effect, shadowHierarchyContract(), Shaders::Frozen);
     if (!shadowHierarchy) return tl::unexpected(shadowHierarchy.error());
     auto impl = std::make_unique<Impl>();
     impl->gpu = *gpu;
@@ -51,7 +51,7 @@ Result<Renderer> Renderer::create(const DeviceContext& context) {
     impl->raycast = *raycast;
     for (const TermSet terms : allTermSets) {  // the contracts name them all
         impl->sliceTechniques[terms.index()] = permgen::find_technique(**slices, techniqueName(terms));
-        impl->raycastTechniques[terms.index()] = permgen::find_technique(**raycast, raycastTechniqueName(terms));
+        impl->raycastTechniques[terms.index()] = permgen::find_technique(**raycast, techniqueName(terms));
     }
     impl->composite = *composite;
     impl->shadowMap = *shadowMap;

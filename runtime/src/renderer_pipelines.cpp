@@ -43,15 +43,6 @@ PipelineRequest shadowHierarchyPipeline(const Renderer::Impl& impl, bool fromMap
             shadowHierarchyContract().elements};
 }
 
-std::string_view raycastTechniqueName(TermSet terms) {
-    namespace raycast = effects::raycast;
-    return raycast::technique(*raycast::find_technique({.bScrollingNoise = terms.contains(Term::Noise),
-                                                        .bShadowMapping = terms.contains(Term::Shadow),
-                                                        .bCookie = terms.contains(Term::Cookie),
-                                                        .bScattering = terms.contains(Term::Scattering)}))
-        .name;
-}
-
 PipelineRequest shadowMapPipeline(const Renderer::Impl& impl, VkFormat map) {
     const EffectContract& contract = shadowMapContract();
     const permgen::Technique* technique = permgen::find_technique(*impl.shadowMap, contract.techniques[0]);

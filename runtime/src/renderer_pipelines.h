@@ -18,7 +18,4 @@ PipelineRequest shadowMapPipeline(const Renderer::Impl& impl, VkFormat map);
 /// `fromMap`: draws the first level; otherwise one of the others.
 PipelineRequest shadowHierarchyPipeline(const Renderer::Impl& impl, bool fromMap);
 
-/// The technique of raycast.fx that has exactly these terms.
-std::string_view raycastTechniqueName(TermSet terms);
-
 }  // namespace tyndall

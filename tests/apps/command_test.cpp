@@ -54,6 +54,10 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongLine{"MaxSlicesWithPlanes", {"--max-slices", "9", "--planes", "9"}, "leave --planes out"},
                     WrongLine{"MaxSlicesOfTheArticle", {"--max-slices", "9", "--look", "article"}, "--look article"},
                     WrongLine{"PlanesOddWhenRouted", {"--accum", "rgba8-routed", "--planes", "6"}, "multiple of 4"},
+                    WrongLine{"MethodUnknown", {"--method", "magic"}, "slices, raycast"},
+                    WrongLine{"PlanesOfRays", {"--method", "raycast", "--planes", "9"}, "has no slices"},
+                    WrongLine{"MaxSlicesOfRays", {"--method", "raycast", "--max-slices", "9"}, "has no slices"},
+                    WrongLine{"QuadsOfRays", {"--method", "raycast", "--geometry", "quads"}, "has no slices"},
                     WrongLine{"ShadowSizeZero", {"--shadow-size", "0"}, "--shadow-size"},
                     WrongLine{"RangeZero", {"--range", "0"}, "--range"},
                     WrongLine{"AccumUnknown", {"--accum", "rgb5"}, "rgba8-routed"},
@@ -245,6 +249,20 @@ TEST(Command, SlicesAreAsManyAsNeededUpToABound) {
     EXPECT_GE(slices({}), std::min(needed, 250));
     EXPECT_LE(slices({"--max-slices", "20"}), 20);
     EXPECT_GE(slices({"--max-slices", "20"}), 18);
+}
+
+TEST(Command, ExplainsRays) {
+    const std::string scene = writeScene(wallScene());
+    const ProgramRun json = runTyndall({"explain", scene, "--json", "--method", "raycast"});
+    ASSERT_EQ(json.status, 0) << json.errors;
+    const nlohmann::json report = nlohmann::json::parse(json.output);
+    EXPECT_EQ(report["method"], "raycast");
+    EXPECT_EQ(report["slices"], 0);
+    EXPECT_GT(report["expectedFragments"], 0);
+    const ProgramRun text = runTyndall({"explain", scene, "--method", "raycast"});
+    EXPECT_NE(text.output.find("a ray for each pixel"), std::string::npos) << text.output;
+    EXPECT_NE(text.output.find("of raycast.fx: about"), std::string::npos) << text.output;
+    EXPECT_EQ(text.output.find("slabs"), std::string::npos) << text.output;
 }
 
 TEST(Command, NothingInTheConeMeansNoShadowMap) {

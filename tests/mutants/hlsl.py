@@ -9,7 +9,7 @@ from pathlib import Path
 from loop import first_failure
 from mutant import HERE, ROOT, BadMutant, Mutant
 
-EFFECTS = ["slices", "composite", "shadow_map"]
+EFFECTS = ["slices", "raycast", "composite", "shadow_map", "shadow_hierarchy"]
 SECONDS = 240  # a test program that takes longer hangs, which counts as detection
 
 # By mutant, the program and the test that killed it last: tried first, because most faults die there at once. Only a
@@ -19,14 +19,20 @@ KILLERS = HERE / "hlsl_killers.json"
 # Then the tests that are likely to detect the fault, then all that draw. Goldens are left out: they detect every
 # change, and the question here is whether laws and oracles do.
 LAWS = ("permutation", "*OrientationTest*:*LawTest*:*MaskTest*/clip_noise_shadow_cookie_technique*")
+RAYS = ("raycast", "*RaycastLaw*:*RaycastReferenceTest*_side:*RaycastHardView*")
 ORACLE = ("permutation", "*TechniqueTest*/clip_noise_shadow_cookie_technique")
 LIKELY = {
     "shaders/slices.fx": [LAWS, ORACLE, ("permutation", "*FormatTest*"), ("record", "*")],
     "shaders/shadow.fxh": [LAWS, ORACLE],
     "shaders/composite.fx": [("permutation", "CompositeTest.*"), ("record", "*Composite*")],
+    "shaders/raycast.fx": [RAYS],
+    "shaders/integrals.fxh": [RAYS],
+    "shaders/precise.fxh": [RAYS],
+    "shaders/scattering.fxh": [RAYS],
+    "shaders/shadow_hierarchy.fx": [RAYS],
     "shaders/shadow_map.fx": [("permutation", "ShadowMapTest.*"), ("record", "*ShadowMap*")],
 }
-ALL = [("permutation", "-*GoldenTest*"), ("record", "*")]
+ALL = [("permutation", "-*GoldenTest*"), ("record", "*"), ("raycast", "-*Room*")]
 
 
 def compile_effects(mutant: Mutant | None, permgen: Path, folder: Path) -> Path:
@@ -53,6 +59,7 @@ class Runner:
         """`build`: where CMake built permgen and the tests."""
         self.permgen = build / "permgen/permgen"
         self.tests = {"permutation": build / "tests/permutations/tyndall_permutation_test",
+                      "raycast": build / "tests/raycast/tyndall_raycast_test",
                       "record": build / "tests/runtime/tyndall_record_test"}
         for program in (self.permgen, *self.tests.values()):
             if not program.is_file():

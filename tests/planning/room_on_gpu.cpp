@@ -23,15 +23,16 @@ headless::Image shadowMap() {
     headless::ImageInfo info;
     info.extent = {Room::shadowMapSize, Room::shadowMapSize};
     info.format = VK_FORMAT_D32_SFLOAT;
-    info.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    info.usage =
+        VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     info.name = "shadow map";
     return must(headless::Image::create(gpu().device, info));
 }
 
 }  // namespace
 
-RoomOnGpu::RoomOnGpu(const Room& room) : maps_(room.lights.size()), views_(room.lights.size()), sum_(target("sum")), colour_(target("picture")) {
+RoomOnGpu::RoomOnGpu(const Room& room)
+    : maps_(room.lights.size()), views_(room.lights.size()), sum_(target("sum")), colour_(target("picture")) {
     for (std::size_t i = 0; i < room.lights.size(); ++i) {
         const auto add = [&](const Texture& texture, VkImageView& view, VkExtent2D& size) {
             const headless::Image& image = images_.emplace_back(uploadTexture(texture));

@@ -34,18 +34,15 @@ protected:
         const headless::Image target = must(headless::Image::create(gpu().device, info));
         const std::array corners{glm::vec2(-1, -1), glm::vec2(3, -1), glm::vec2(-1, 3)};
         const glm::vec4 constants(static_cast<float>(width), 0.0f, 0.0f, 0.0f);
-        const headless::Buffer triangle =
-            must(headless::Buffer::create(gpu().device, std::as_bytes(std::span(corners)),
-                                          VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "triangle"));
-        const headless::Buffer block =
-            must(headless::Buffer::create(gpu().device, std::as_bytes(std::span(&constants, 1)),
-                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "constants"));
-        auto pipelines = must(
-            PassPipelines::create({gpu().device.physicalDevice(), gpu().device.device()}, float_forms::effect));
+        const headless::Buffer triangle = must(headless::Buffer::create(gpu().device, std::as_bytes(std::span(corners)),
+                                                                        VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "triangle"));
+        const headless::Buffer block = must(headless::Buffer::create(
+            gpu().device, std::as_bytes(std::span(&constants, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "constants"));
+        auto pipelines =
+            must(PassPipelines::create({gpu().device.physicalDevice(), gpu().device.device()}, float_forms::effect));
         constexpr std::array<VertexElement, 1> elements{{{"POSITION0", 0, VK_FORMAT_R32G32_SFLOAT}}};
-        const PassPipeline pipeline =
-            must(pipelines.get(permgen::find_technique(float_forms::effect, technique)->passes[0],
-                               {.colours = {format}}, elements));
+        const PassPipeline pipeline = must(pipelines.get(
+            permgen::find_technique(float_forms::effect, technique)->passes[0], {.colours = {format}}, elements));
         must(headless::submitAndWait(gpu().device, [&](VkCommandBuffer commands) -> Result<void> {
             headless::transition(commands, target, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
             const VkRenderingAttachmentInfo colour =
@@ -148,8 +145,8 @@ TEST_F(FloatForms, ThePhaseFunctionHoldsInItsPeak) {
         const auto f = static_cast<float>(g);
         inputs.push_back({std::cos(angle), std::sin(angle), f, 1.0 - std::fabs(static_cast<double>(f))});
     }
-    // Its inputs are rounded unit vectors: near the peak of the narrowest phase, 1e-3 wide, their angle is off by 1e-4 of
-    // its width, and the phase by 3e-4... of which the chord form keeps the rounding of 6e-8 / 1e-3.
+    // Its inputs are rounded unit vectors: near the peak of the narrowest phase, 1e-3 wide, their angle is off by 1e-4
+    // of its width, and the phase by 3e-4... of which the chord form keeps the rounding of 6e-8 / 1e-3.
     expectWithin("phases", inputs, 1e-3, [](const glm::vec4& v) {
         const long double angle = std::atan2(static_cast<long double>(v.y), static_cast<long double>(v.x)), g = v.z;
         const long double base = (1 - std::fabs(g)) * (1 - std::fabs(g)) +

@@ -78,7 +78,8 @@ std::vector<NamedShot> hardShots() {
         {"fan_170x170", fan(170.0, 170.0)},
     };
     for (const double distance : {0.3, 0.01, 0.001})
-        all.push_back({"beside_the_lamp_" + std::to_string(static_cast<int>(distance * 1000)) + "mm", beside(distance)});
+        all.push_back(
+            {"beside_the_lamp_" + std::to_string(static_cast<int>(distance * 1000)) + "mm", beside(distance)});
     for (const int distance : {100, 10000})
         all.push_back({"from_" + std::to_string(distance) + "_m", farAway(distance)});
     for (const int size : {1, 2, 3, 100}) all.push_back({"map_of_" + std::to_string(size), withMap(size)});
@@ -94,8 +95,8 @@ INSTANTIATE_TEST_SUITE_P(RaycastFx, RaycastHardView, testing::ValuesIn(hardShots
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(RaycastHardView, IsTheIntegral) {
-    for (const TermSet terms : {TermSet{}, TermSet{Term::Shadow}, TermSet{Term::Shadow, Term::Cookie, Term::Noise},
-                                TermSet::all()}) {
+    for (const TermSet terms :
+         {TermSet{}, TermSet{Term::Shadow}, TermSet{Term::Shadow, Term::Cookie, Term::Noise}, TermSet::all()}) {
         const Shot shot = withTerms(GetParam().shot, terms);
         if (terms.contains(Term::Scattering) && GetParam().name == "from_10000_m") continue;  // all is absorbed
         DrawOptions options;

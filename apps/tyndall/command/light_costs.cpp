@@ -20,6 +20,15 @@ private:
     std::vector<bool> met_;
 };
 
+/// The map, and with Method::Raycast its hierarchy.
+std::uint64_t shadowBytes(Method method, std::uint32_t size) {
+    std::uint64_t bytes = std::uint64_t{size} * size * sizeof(float);
+    if (method == Method::Raycast)
+        for (std::uint64_t side = shadowHierarchySide(size); side > 0; side /= 2)
+            bytes += side * side * 2 * sizeof(float);
+    return bytes;
+}
+
 }  // namespace
 
 std::vector<LightCost> lightCosts(const Plan& plan, const View& view, const Size& picture, std::uint32_t shadowSize) {
@@ -40,7 +49,7 @@ std::vector<LightCost> lightCosts(const Plan& plan, const View& view, const Size
     }
     for (std::size_t i = 0; i < costs.size(); ++i)
         if (plan.lights[i].drawn && plan.lights[i].terms.contains(Term::Shadow))
-            costs[i].shadowMapBytes = std::uint64_t{shadowSize} * shadowSize * sizeof(float);
+            costs[i].shadowMapBytes = shadowBytes(plan.lights[i].method, shadowSize);
     return costs;
 }
 

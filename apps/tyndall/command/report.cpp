@@ -30,10 +30,27 @@ std::string bytes(std::uint64_t number) {
     return fmt::format("{} bytes", number);
 }
 
-std::string slicesText(const ShaftOptions& shafts) {
+/// "up to 256 slices a light as polygons".
+std::string methodText(const ShaftOptions& shafts) {
+    if (shafts.plan.method == Method::Raycast) return "a ray for each pixel";
     const bool equal = shafts.plan.spacing == Spacing::Even || shafts.plan.look == Look::Article;
-    return equal ? fmt::format("{} equal slices a light", shafts.plan.slices)
-                 : fmt::format("up to {} slices a light", shafts.plan.slices);
+    return fmt::format(
+        "{} slices a light as {}",
+        equal ? fmt::format("{} equal", shafts.plan.slices) : fmt::format("up to {}", shafts.plan.slices),
+        wordFor(geometryWords, shafts.plan.geometry));
+}
+
+std::string partText(const PlannedPart& part, double fragments) {
+    if (part.method == Method::Raycast)
+        return fmt::format("  {} of raycast.fx: about {} rays\n", techniqueName(part.terms), count(fragments));
+    return fmt::format("  {}: {} slices, about {} fragments\n", techniqueName(part.terms), part.slices,
+                       count(fragments));
+}
+
+std::string slabsText(const PlannedLight& light) {
+    if (light.method == Method::Raycast) return {};
+    return fmt::format(", drawn in {} slabs{}", light.slices,
+                       light.divided ? ", whose slices both techniques may share" : "");
 }
 
 struct Costs {
@@ -75,6 +92,7 @@ nlohmann::ordered_json planReport(const PlannedScene& planned, const ViewOptions
     report["camera"] = planned.camera->name;
     report["size"] = {view.size.width, view.size.height};
     report["time"] = view.time;
+    report["method"] = nameOf(shafts.plan.method);
     report["accumulation"] = wordFor(accumulationWords, shafts.plan.accumulation);
     report["geometry"] = wordFor(geometryWords, shafts.plan.geometry);
     report["look"] = wordFor(lookWords, shafts.plan.look);
@@ -175,10 +193,9 @@ nlohmann::ordered_json frameReport(const PlannedScene& planned, const ViewOption
 }
 
 std::string planText(const PlannedScene& planned, const ViewOptions& view, const ShaftOptions& shafts) {
-    std::string text =
-        fmt::format("{}: camera \"{}\", {}x{}, at {:g} s; {} as {}, added up in {}\n", view.scene, planned.camera->name,
-                    view.size.width, view.size.height, view.time, slicesText(shafts),
-                    wordFor(geometryWords, shafts.plan.geometry), wordFor(accumulationWords, shafts.plan.accumulation));
+    std::string text = fmt::format("{}: camera \"{}\", {}x{}, at {:g} s; {}, added up in {}\n", view.scene,
+                                   planned.camera->name, view.size.width, view.size.height, view.time,
+                                   methodText(shafts), wordFor(accumulationWords, shafts.plan.accumulation));
     if (!planned.depth) text += "planned without the scene's depth: surfaces are assumed to hide nothing\n";
     const Costs costs = costsOf(planned, view, shafts);
     std::vector<std::vector<const PlannedPart*>> parts(planned.plan.lights.size());
@@ -197,12 +214,9 @@ std::string planText(const PlannedScene& planned, const ViewOptions& view, const
             maps += light.terms.contains(Term::Shadow);
             if (!shafts.plan.everything)
                 for (const std::string& saving : savings(light)) text += fmt::format("  {}\n", saving);
-            for (std::size_t k = 0; k < parts[i].size(); ++k)
-                text += fmt::format("  {}: {} slices, about {} fragments\n", techniqueName(parts[i][k]->terms),
-                                    parts[i][k]->slices, count(costs.planned[i].parts[k]));
-            text += fmt::format("  its volume spans {:.4g} to {:.4g} m before the eye, drawn in {} slabs{}\n",
-                                light.nearDepth, light.farDepth, light.slices,
-                                light.divided ? ", whose slices both techniques may share" : "");
+            for (std::size_t k = 0; k < parts[i].size(); ++k) text += partText(*parts[i][k], costs.planned[i].parts[k]);
+            text += fmt::format("  its volume spans {:.4g} to {:.4g} m before the eye{}\n", light.nearDepth,
+                                light.farDepth, slabsText(light));
             text += fmt::format("  costs {}\n", cost(costs.planned[i]));
         }
         if (!shafts.plan.everything && !costs.forced.empty() && costs.forced[i].fragments > 0.0)

@@ -134,7 +134,9 @@ Result<void> SceneRenderer::drawPlanned(PlannedScene& planned, const ShaftOption
                                                             : shaftImages(planned.scene, planned.plan);
     if (auto uploaded = uploadImages(*device_, planned.scene, images, gpu_); !uploaded) return uploaded;
     if (auto drawn = drawShadowMaps(planned, mapsCalledFor(planned), shafts.plan.shadowMapSize,
-                                    shafts.plan.method == Method::Raycast); !drawn) return drawn;
+                                    shafts.plan.method == Method::Raycast);
+        !drawn)
+        return drawn;
     if (planned.plan.groups.empty()) return {};
     if (auto fitted = fitAccumulation(*device_, targets_, shafts.plan.accumulation); !fitted) return fitted;
     const std::vector<LightTextures> textures = texturesOf(planned, maps_, gpu_);

@@ -10,12 +10,12 @@ namespace {
 Result<void> fitHierarchy(const headless::Device& device, headless::Image& image, std::uint32_t mapSize) {
     if (image.handle()) return {};
     const std::uint32_t side = shadowHierarchySide(mapSize);
-    auto made = headless::Image::create(
-        device, {.extent = {side, side},
-                 .format = shadowHierarchyFormat,
-                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-                 .name = "shadow hierarchy",
-                 .levels = shadowHierarchyLevels(mapSize)});
+    auto made =
+        headless::Image::create(device, {.extent = {side, side},
+                                         .format = shadowHierarchyFormat,
+                                         .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                                         .name = "shadow hierarchy",
+                                         .levels = shadowHierarchyLevels(mapSize)});
     if (!made) return passOn(made.error(), "the shadow hierarchy");
     image = std::move(*made);
     return {};

@@ -27,8 +27,7 @@ public:
     /// hierarchies that Method::Raycast reads. Returns the milliseconds from submission to fence; 0 if nothing was
     /// outdated.
     Result<double> draw(const headless::Device& device, Renderer& renderer, const ViewedScene& viewed,
-                        std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size,
-                        bool hierarchies);
+                        std::span<const std::size_t> lights, const GpuScene& gpu, std::uint32_t size, bool hierarchies);
 
     /// SHADER_READ_ONLY_OPTIMAL; null if this frame does not need the light's map.
     const headless::Image* image(std::size_t light) const;

@@ -161,13 +161,13 @@ struct Plan {
     Accumulation accumulation = Accumulation::Rgba16f;
     double scale = 1.0;  ///< target value = radiance * scale; compositing divides by it
     std::vector<SliceVertex> vertices;
-    std::vector<std::uint32_t> indices;     ///< triangle list into `vertices`
-    std::vector<SliceConstants> constants;  ///< the uniform blocks, which parts of a light may share
+    std::vector<std::uint32_t> indices;      ///< triangle list into `vertices`
+    std::vector<SliceConstants> constants;   ///< the uniform blocks, which parts of a light may share
     std::vector<RaycastConstants> raycasts;  ///< those of lights with Method::Raycast
-    std::vector<glm::dvec4> walls;          ///< view space, keep dot(n, p) + d >= 0: the lamp's light ends there
-    std::vector<PlannedLight> lights;       ///< one for each light given, in their order
-    std::vector<PlannedPart> parts;         ///< by group, and within it by technique, which minimizes pipeline changes
-    std::vector<CompositeGroup> groups;     ///< empty if no light is drawn
+    std::vector<glm::dvec4> walls;           ///< view space, keep dot(n, p) + d >= 0: the lamp's light ends there
+    std::vector<PlannedLight> lights;        ///< one for each light given, in their order
+    std::vector<PlannedPart> parts;          ///< by group, and within it by technique, which minimizes pipeline changes
+    std::vector<CompositeGroup> groups;      ///< empty if no light is drawn
 };
 
 /// Plans the shafts of `lights` as `view` sees them.

@@ -8,8 +8,8 @@
 
 namespace tyndall {
 
-/// The uniform block of raycast.fx, one for each light that is drawn so. plan() leaves `surface.z`, `pixel.xy` and `texels`
-/// to the recording: they depend on the caller's images.
+/// The uniform block of raycast.fx, one for each light that is drawn so. plan() leaves `surface.z`, `pixel.xy` and
+/// `texels` to the recording: they depend on the caller's images.
 struct RaycastConstants {
     glm::vec4 origin[3];
     glm::vec4 direction[3];

@@ -82,7 +82,7 @@ TermSet termsOf(const Light& light);
 /// The light with only those of its terms that are in `terms`. It gains none.
 Light keepOnly(Light light, TermSet terms);
 
-/// The technique of slices.fx that has exactly these terms, by its name in the effect.
+/// The technique of slices.fx, and of raycast.fx, that has exactly these terms, by its name in the effect.
 std::string_view techniqueName(TermSet terms);
 
 /// The terms of the technique of that name; absent where slices.fx has no such technique.

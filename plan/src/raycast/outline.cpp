@@ -20,9 +20,8 @@ void appendOutline(std::vector<glm::dvec2>& outline, const ConvexPolyhedron& sol
         for (const glm::dvec2 side : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)})
             points.push_back(glm::clamp(point + margin * side, -1.0, 1.0));
     }
-    std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
-        return a.x != b.x ? a.x < b.x : a.y < b.y;
-    });
+    std::sort(points.begin(), points.end(),
+              [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     const std::size_t start = outline.size();
     const auto extend = [&](const glm::dvec2& point, std::size_t from) {
         while (outline.size() >= from + 2 && turn(outline[outline.size() - 2], outline.back(), point) <= 0.0)

@@ -27,8 +27,8 @@ struct SeenLight {
 };
 
 /// `asked`: which terms the light or the options ask for. Walls end the volume only if shadows are drawn; a cookie's
-/// beam bounds it only if the cookie is drawn. `lit` becomes the lit part of the volume that the view's frustum shows, if
-/// the verdict is Drawn. `scratch`: working memory.
+/// beam bounds it only if the cookie is drawn. `lit` becomes the lit part of the volume that the view's frustum shows,
+/// if the verdict is Drawn. `scratch`: working memory.
 SeenLight seenLight(const PlanContext& context, const Light& light, const LightSurvey& survey,
                     const PerTerm<TermVerdict>& asked, ConvexPolyhedron& lit, WallScratch& scratch);
 

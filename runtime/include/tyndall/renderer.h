@@ -144,9 +144,10 @@ public:
                                  std::span<const Occluder> occluders, VkImageView map, VkFormat format,
                                  std::uint32_t size);
 
-    /// Records the shadow hierarchy of a map of `size` x `size` texels, a depth view in layout SHADER_READ_ONLY_OPTIMAL,
-    /// which Method::Raycast reads beside the map. Layout of the image before: any; after: SHADER_READ_ONLY_OPTIMAL.
-    /// Record it once for each map, until the map is drawn again. Barriers between the levels are recorded.
+    /// Records the shadow hierarchy of a map of `size` x `size` texels, a depth view in layout
+    /// SHADER_READ_ONLY_OPTIMAL, which Method::Raycast reads beside the map. Layout of the image before: any; after:
+    /// SHADER_READ_ONLY_OPTIMAL. Record it once for each map, until the map is drawn again. Barriers between the levels
+    /// are recorded.
     Result<void> recordShadowHierarchy(VkCommandBuffer commands, FrameData& frame, VkImageView map, std::uint32_t size,
                                        const ShadowHierarchy& hierarchy);
 

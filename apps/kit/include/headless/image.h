@@ -61,8 +61,8 @@ private:
 Result<void> upload(const Device& device, const Image& image, std::span<const std::byte> texels,
                     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 
-/// The texels of the image's first level, rows top to bottom, no padding. Expects it in `layout` and leaves it there. Waits.
-/// The image's usage must have TRANSFER_SRC. Errors: InvalidArgument, Vulkan.
+/// The texels of the image's first level, rows top to bottom, no padding. Expects it in `layout` and leaves it there.
+/// Waits. The image's usage must have TRANSFER_SRC. Errors: InvalidArgument, Vulkan.
 Result<std::vector<std::byte>> readback(const Device& device, const Image& image, VkImageLayout layout);
 
 }  // namespace headless
