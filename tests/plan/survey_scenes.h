@@ -95,15 +95,15 @@ void expectMeshesRefused(Make make, const std::string& place) {
         EXPECT_EQ(made.error().message.find(place + words), 0u) << made.error().message;
     };
     EXPECT_TRUE(make(whole.triangles(), whole.instances));
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float notANumber = std::numeric_limits<float>::quiet_NaN();
     using Meshes = std::vector<MeshTriangles>;
     expectRefused([](SurveyScene&, Meshes& m) { m[1].stride = 8; }, "mesh 1 has a stride of 8 bytes");
     expectRefused([](SurveyScene&, Meshes& m) { m[2].indices = m[2].indices.first(7); }, "mesh 2 has 7 indices");
     expectRefused([](SurveyScene&, Meshes& m) { m[1].vertices = 5; }, "mesh 1 has the index 5 with 5 vertices");
-    expectRefused([](SurveyScene& s, Meshes&) { s.meshes[3].vertices[8].position.y = nan; },
+    expectRefused([](SurveyScene& s, Meshes&) { s.meshes[3].vertices[8].position.y = notANumber; },
                   "mesh 3 has a corner at (");
     expectRefused([](SurveyScene& s, Meshes&) { s.instances[5].mesh = 4; }, "instance 5 is of mesh 4 of 4 meshes");
-    expectRefused([](SurveyScene& s, Meshes&) { s.instances[2].worldFromMesh[0].x = nan; },
+    expectRefused([](SurveyScene& s, Meshes&) { s.instances[2].worldFromMesh[0].x = notANumber; },
                   "instance 2 has a worldFromMesh that is not affine");
     expectRefused([](SurveyScene& s, Meshes&) { s.instances[2].worldFromMesh[2].w = 0.5; },
                   "instance 2 has a worldFromMesh that is not affine");
