@@ -2,6 +2,9 @@
 #include <tyndall/barriers.h>
 #include <tyndall/rendering.h>
 
+#include <algorithm>
+
+#include "compute_rays.h"
 #include "effect_contract.h"
 #include "renderer_pipelines.h"
 
@@ -59,13 +62,17 @@ Result<RaycastConstants> withImages(const Plan& plan, const PlannedPart& part, c
     return constants;
 }
 
-/// The part's uniform block.
+/// The part's uniform block. Sets the draw's threads if it is computed.
 Result<FrameRange> constantsOf(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& plan, const PlannedPart& part,
-                               const LightTextures& given, const ShaftTargets& targets) {
+                               const LightTextures& given, const ShaftTargets& targets,
+                               Renderer::Impl::PartDraw& draw) {
     if (part.method == Method::Slices) return frame.plan.constants[part.constants];
     const auto constants = withImages(plan, part, given, targets);
     if (!constants) return tl::unexpected(constants.error());
-    return placeValue(frame, *constants, impl.counters);
+    if (!draw.computed) return placeValue(frame, *constants, impl.counters);
+    const glm::vec4 tile = tileOf(plan, part, targets.extent);
+    draw.threads = {static_cast<std::uint32_t>(tile.z - tile.x), static_cast<std::uint32_t>(tile.w - tile.y)};
+    return placeValue(frame, ComputedRays{*constants, tile}, impl.counters);
 }
 
 /// Fills impl.draws. `neutral` becomes true if a light lacks a texture that its technique reads.
@@ -81,23 +88,30 @@ Result<void> resolve(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& p
         if (auto checked = checkPart(plan, part, textures.size()); !checked) return checked;
         if (part.terms != terms || part.method != method || !pipeline.handle) {
             const auto made =
-                pipelineFor(impl.gpu, impl.pipelines, shaftPipeline(impl, part.method, part.terms, target),
-                            impl.counters.pipelinesCreated);
+                isComputed(plan, part, targets)
+                    ? raysPipeline(impl, plan.accumulation, part.terms)
+                    : pipelineFor(impl.gpu, impl.pipelines, shaftPipeline(impl, part.method, part.terms, target),
+                                  impl.counters.pipelinesCreated);
             if (!made) return tl::unexpected(made.error());
             pipeline = *made;
             terms = part.terms;
             method = part.method;
         }
         const LightTextures& given = textures[plan.lights[part.light].light];
-        const auto constants = constantsOf(impl, frame, plan, part, given, targets);
+        Renderer::Impl::PartDraw draw;
+        draw.part = &part;
+        draw.pipeline = pipeline;
+        draw.computed = isComputed(plan, part, targets);
+        const auto constants = constantsOf(impl, frame, plan, part, given, targets, draw);
         if (!constants) return tl::unexpected(constants.error());
-        Renderer::Impl::PartDraw draw{
-            &part,
-            pipeline,
-            *constants,
-            part.method == Method::Raycast ? sizeof(RaycastConstants) : sizeof(SliceConstants),
-            {}};
-        draw.images.back() = {"SceneDepthSampler", targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
+        draw.constants = *constants;
+        draw.constantsSize = draw.computed                    ? sizeof(ComputedRays)
+                             : part.method == Method::Raycast ? sizeof(RaycastConstants)
+                                                              : sizeof(SliceConstants);
+        NamedImage& depth = draw.images[lightSamplers.size()];
+        depth = {"SceneDepthSampler", targets.depth, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL};
+        draw.images.back() = {plan.accumulation == Accumulation::Rgba16f ? "HalfTarget" : "FloatTarget",
+                              targets.accumulationView, VK_IMAGE_LAYOUT_GENERAL};
         for (std::size_t i = 0; i < lightSamplers.size(); ++i) {
             const LightSampler& sampler = lightSamplers[i];
             draw.images[i] = {sampler.name, given.*sampler.view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
@@ -112,7 +126,7 @@ Result<void> resolve(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& p
             const auto texture =
                 neutralTexture(impl.gpu, impl.neutral, Neutral::NoShadow, impl.counters.neutralTexturesCreated);
             if (!texture) return tl::unexpected(texture.error());
-            draw.images.back() = {"SceneDepthSampler", (*texture)->view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+            depth = {"SceneDepthSampler", (*texture)->view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
             neutral = true;
         }
         impl.draws.push_back(draw);
@@ -125,6 +139,10 @@ void beginAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
     VkImageMemoryBarrier2 barrier = imageBarrier(targets.accumulation, VK_IMAGE_ASPECT_COLOR_BIT);
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
     barrier.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    if (targets.storage) {
+        barrier.srcStageMask |= VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+        barrier.srcAccessMask |= VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    }
     barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
     barrier.dstStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
     barrier.dstAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
@@ -139,8 +157,10 @@ void beginAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
     beginRendering(commands, targets.extent, {&colour, 1}, targets.depth ? &depth : nullptr);
 }
 
-void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
+/// `computes`: rays are still to be added.
+void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets, bool computes) {
     vkCmdEndRendering(commands);
+    if (computes) return;
     VkImageMemoryBarrier2 barrier = imageBarrier(targets.accumulation, VK_IMAGE_ASPECT_COLOR_BIT);
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
     barrier.srcAccessMask = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
@@ -155,6 +175,7 @@ void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets) {
 Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands) {
     VkPipeline bound = VK_NULL_HANDLE;
     for (const Renderer::Impl::PartDraw& draw : impl.draws) {
+        if (draw.computed) continue;
         if (draw.pipeline.handle != bound) {
             bound = draw.pipeline.handle;
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound);
@@ -190,7 +211,9 @@ Result<void> Renderer::recordAccumulation(VkCommandBuffer commands, FrameData& f
     bindVertices(commands, uploaded.vertices.buffer, uploaded.vertices.offset, sizeof(SliceVertex));
     vkCmdBindIndexBuffer(commands, uploaded.indices.buffer, uploaded.indices.offset, VK_INDEX_TYPE_UINT32);
     auto drawn = drawLights(*impl_, commands);
-    endAccumulation(commands, targets);
+    const bool computes = std::ranges::any_of(impl_->draws, &Renderer::Impl::PartDraw::computed);
+    endAccumulation(commands, targets, computes);
+    if (drawn && computes) return computeRays(*impl_, commands, targets);
     return drawn;
 }
 

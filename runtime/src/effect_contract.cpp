@@ -9,6 +9,7 @@
 #include <string>
 
 #include "composite_data.h"
+#include "compute_rays.h"
 #include "effects.h"
 #include "gpu_context.h"
 
@@ -76,6 +77,10 @@ constexpr auto raycastTechniques = techniqueNames<effects::raycast::technique_co
 constexpr EffectContract raycast{
     "raycast.fx", raycastMembers, sizeof(RaycastConstants), raycastSamplers, raycastTechniques, sliceElements, true};
 
+// Its effect is never the caller's: only this library dispatches it.
+constexpr BlockMember rayTileMembers[] = {{"gTile", offsetof(ComputedRays, tile), 16}};
+constexpr EffectContract computedRays{"raycast_compute.fx", rayTileMembers, sizeof(ComputedRays), {}, {}, {}, false};
+
 constexpr BlockMember compositeMembers[] = {
     {"gTint", offsetof(CompositeConstants, tint), 16},
     {"gTexel", offsetof(CompositeConstants, texel), 16},
@@ -138,6 +143,10 @@ static_assert(misplaced(effects::slices::effect, slices).empty(), "slices.fx mov
 static_assert(blockFits(effects::slices::effect, slices), "slices.fx and SliceConstants differ in size");
 static_assert(misplaced(effects::raycast::effect, raycast).empty(), "raycast.fx moved a constant");
 static_assert(blockFits(effects::raycast::effect, raycast), "raycast.fx and RaycastConstants differ in size");
+static_assert(misplaced(effects::raycast_compute::effect, raycast).empty(), "raycast_compute.fx moved a constant");
+static_assert(misplaced(effects::raycast_compute::effect, computedRays).empty(), "raycast_compute.fx moved its tile");
+static_assert(effects::raycast_compute::effect.members.size() == std::size(raycastMembers) + 1,
+              "raycast_compute.fx has constants that ComputedRays lacks");
 static_assert(misplaced(effects::composite::effect, composite).empty(), "composite.fx moved a constant");
 static_assert(blockFits(effects::composite::effect, composite), "composite.fx and CompositeConstants differ in size");
 static_assert(misplaced(effects::shadow_map::effect, shadowMap).empty(), "shadow_map.fx moved its constant");

@@ -1,4 +1,5 @@
 // Makes a Renderer's pipelines before recording.
+#include "compute_rays.h"
 #include "renderer_pipelines.h"
 
 namespace tyndall {
@@ -7,8 +8,18 @@ Result<void> Renderer::prepare(const PipelineNeeds& needs, const ParallelFor& pa
     Impl& impl = *impl_;
     std::vector<PipelineRequest> requests;
     const PassTarget target = accumulationTarget(needs.accumulation, needs.depthFormat, needs.depthCompare);
-    for (const TermSet terms : needs.terms) requests.push_back(shaftPipeline(impl, needs.method, terms, target));
-    if (!requests.empty() && needs.colourFormat != VK_FORMAT_UNDEFINED)
+    const bool computed = needs.method == Method::Raycast && needs.storage &&
+                          (needs.accumulation == Accumulation::Rgba16f || needs.accumulation == Accumulation::Rgba32f);
+    for (const TermSet terms : needs.terms) {
+        if (!computed) {
+            requests.push_back(shaftPipeline(impl, needs.method, terms, target));
+            continue;
+        }
+        const std::uint64_t before = impl.counters.pipelinesCreated;
+        if (const auto made = raysPipeline(impl, needs.accumulation, terms); !made) return tl::unexpected(made.error());
+        impl.counters.pipelinesPrepared += impl.counters.pipelinesCreated - before;
+    }
+    if (!needs.terms.empty() && needs.colourFormat != VK_FORMAT_UNDEFINED)
         requests.push_back(compositePipeline(impl, needs.accumulation, needs.blur, needs.colourFormat));
     if (needs.shadowMapFormat != VK_FORMAT_UNDEFINED)
         requests.push_back(shadowMapPipeline(impl, needs.shadowMapFormat));

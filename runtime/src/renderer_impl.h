@@ -28,7 +28,9 @@ struct Renderer::Impl {
         PassPipeline pipeline;
         FrameRange constants;
         VkDeviceSize constantsSize = 0;
-        std::array<NamedImage, 5> images{};
+        std::array<NamedImage, 6> images{};
+        bool computed = false;  ///< by compute_rays.h, with these threads
+        VkExtent2D threads{};
     };
     std::vector<PartDraw> draws;  ///< kept between calls for its capacity
 

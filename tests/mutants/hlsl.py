@@ -1,6 +1,7 @@
 """Faults in the shaders: compiled with the manifest loaded at run time, so that no C++ is built."""
 
 import json
+import re
 import shutil
 import subprocess
 import tempfile
@@ -25,7 +26,7 @@ LIKELY = {
     "shaders/slices.fx": [LAWS, ORACLE, ("permutation", "*FormatTest*"), ("record", "*")],
     "shaders/shadow.fxh": [LAWS, ORACLE],
     "shaders/composite.fx": [("permutation", "CompositeTest.*"), ("record", "*Composite*")],
-    "shaders/raycast.fx": [RAYS],
+    "shaders/raycast.fxh": [RAYS],
     "shaders/integrals.fxh": [RAYS],
     "shaders/precise.fxh": [RAYS],
     "shaders/scattering.fxh": [RAYS],
@@ -33,6 +34,14 @@ LIKELY = {
     "shaders/shadow_map.fx": [("permutation", "ShadowMapTest.*"), ("record", "*ShadowMap*")],
 }
 ALL = [("permutation", "-*GoldenTest*"), ("record", "*"), ("raycast", "-*Room*")]
+
+
+def with_includes(source: Path) -> list[Path]:
+    """The file and all that it includes, directly or not."""
+    found = [source]
+    for file in found:
+        found += [file.parent / name for name in re.findall(r'^#include "(.+)"', file.read_text(), re.MULTILINE)]
+    return found
 
 
 def compile_effects(mutant: Mutant | None, permgen: Path, folder: Path) -> Path:
@@ -45,7 +54,7 @@ def compile_effects(mutant: Mutant | None, permgen: Path, folder: Path) -> Path:
     out = folder / "effects"
     for effect in EFFECTS:
         source = shaders / f"{effect}.fx"
-        if mutant and source != patched and patched.name not in source.read_text():
+        if mutant and patched not in with_includes(source):
             continue
         done = subprocess.run([permgen, "compile", "--freeze", source, "-o", out], capture_output=True, text=True,
                               timeout=SECONDS)

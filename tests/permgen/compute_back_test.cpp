@@ -41,7 +41,7 @@ struct Built {
     }
 };
 
-std::size_t count(const SpirvWords& code, spv::Op opcode) {
+std::size_t opcodes(const SpirvWords& code, spv::Op opcode) {
     std::size_t found = 0;
     for_each_instruction(code, [&](const SpirvInstruction& instruction) { found += instruction.opcode == opcode; });
     return found;
@@ -148,18 +148,18 @@ TEST(ComputeBack, FrozenModulesKeepBarriersSharedMemoryAndAtomics) {
     for (const auto& technique : built.program->passes) {
         const SpirvWords& code = technique[0].compute.code;
         EXPECT_EQ(validate_spirv(code), "");
-        EXPECT_EQ(count(code, spv::OpControlBarrier), 1u);
-        EXPECT_EQ(count(code, spv::OpLoopMerge), 1u);
+        EXPECT_EQ(opcodes(code, spv::OpControlBarrier), 1u);
+        EXPECT_EQ(opcodes(code, spv::OpLoopMerge), 1u);
         SpirvModule module;
         ASSERT_TRUE(parse_spirv(code, module));
         EXPECT_EQ(std::count_if(module.variables.begin(), module.variables.end(),
                                 [](const auto& v) { return v.storage == spv::StorageClassWorkgroup; }),
                   1);
     }
-    EXPECT_EQ(count(built.program->passes[0][0].compute.code, spv::OpImageWrite), 1u);
-    EXPECT_EQ(count(built.program->passes[1][0].compute.code, spv::OpImageWrite), 2u);
-    EXPECT_EQ(count(built.program->passes[0][0].compute.code, spv::OpAtomicIAdd), 0u);
-    EXPECT_EQ(count(built.program->passes[2][0].compute.code, spv::OpAtomicIAdd), 1u);
+    EXPECT_EQ(opcodes(built.program->passes[0][0].compute.code, spv::OpImageWrite), 1u);
+    EXPECT_EQ(opcodes(built.program->passes[1][0].compute.code, spv::OpImageWrite), 2u);
+    EXPECT_EQ(opcodes(built.program->passes[0][0].compute.code, spv::OpAtomicIAdd), 0u);
+    EXPECT_EQ(opcodes(built.program->passes[2][0].compute.code, spv::OpAtomicIAdd), 1u);
 }
 
 TEST(ComputeBack, EmitsGroupStageAndFrozenFiles) {
@@ -213,7 +213,7 @@ groupshared Pair pairs[4];
         GetParam().text +
         "\nheads[9] = o + g.x + t.y + i;\n}\ntechnique t { pass p { ComputeShader = compile cs_5_0 cs(); } }");
     ASSERT_TRUE(built.program) << built.messages();
-    EXPECT_GE(count(built.program->passes[0][0].compute.code, GetParam().opcode), 1u);
+    EXPECT_GE(opcodes(built.program->passes[0][0].compute.code, GetParam().opcode), 1u);
 }
 
 INSTANTIATE_TEST_SUITE_P(

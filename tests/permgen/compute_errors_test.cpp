@@ -44,13 +44,13 @@ TEST_P(ComputeError, HasItsPlace) {
         << result.messages();
 }
 
-std::string pass(const std::string& content) {
+std::string passed(const std::string& content) {
     return "\ntechnique t { pass p { " + content + " } }";
 }
-const std::string plain_pass = pass("ComputeShader = compile cs_5_0 cs();");
-const std::string old_pass = pass("ComputeShader = compile cs_4_1 cs();");
+const std::string plain_pass = passed("ComputeShader = compile cs_5_0 cs();");
+const std::string old_pass = passed("ComputeShader = compile cs_4_1 cs();");
 const std::string pixel_pass = "\nfloat4 vs(float4 p : POSITION) : POSITION { return p; }" +
-                               pass("VertexShader = compile vs_3_0 vs(); PixelShader = compile ps_3_0 ps();");
+                               passed("VertexShader = compile vs_3_0 vs(); PixelShader = compile ps_3_0 ps();");
 
 std::string group(const std::string& sizes) {
     return "[" + sizes + "]\nvoid cs() {}" + plain_pass;
@@ -69,22 +69,22 @@ std::string pixel(const std::string& globals, const std::string& statement) {
 INSTANTIATE_TEST_SUITE_P(
     Passes, ComputeError,
     testing::Values(
-        ErrorCase{"VertexProfile", "PG024", pass("ComputeShader = compile @vs_3_0 cs();"), "; write cs_5_0"},
-        ErrorCase{"PixelProfile", "PG024", pass("ComputeShader = compile @ps_3_0 cs();"), "for a ComputeShader"},
-        ErrorCase{"ComputeInPixel", "PG024", pass("PixelShader = compile @cs_5_0 ps();"), "; write ps_3_0"},
-        ErrorCase{"ComputeInVertex", "PG024", pass("VertexShader = compile @cs_4_0 vs();"), "; write vs_3_0"},
-        ErrorCase{"Typo", "PG024", pass("ComputeShader = compile @cz_5_0 cs();"), "; did you mean 'cs_5_0'?"},
-        ErrorCase{"Twice", "PG025", pass("ComputeShader = compile cs_5_0 cs(); @ComputeShader = compile cs_5_0 cs();"),
+        ErrorCase{"VertexProfile", "PG024", passed("ComputeShader = compile @vs_3_0 cs();"), "; write cs_5_0"},
+        ErrorCase{"PixelProfile", "PG024", passed("ComputeShader = compile @ps_3_0 cs();"), "for a ComputeShader"},
+        ErrorCase{"ComputeInPixel", "PG024", passed("PixelShader = compile @cs_5_0 ps();"), "; write ps_3_0"},
+        ErrorCase{"ComputeInVertex", "PG024", passed("VertexShader = compile @cs_4_0 vs();"), "; write vs_3_0"},
+        ErrorCase{"Typo", "PG024", passed("ComputeShader = compile @cz_5_0 cs();"), "; did you mean 'cs_5_0'?"},
+        ErrorCase{"Twice", "PG025", passed("ComputeShader = compile cs_5_0 cs(); @ComputeShader = compile cs_5_0 cs();"),
                   "sets ComputeShader twice"},
         ErrorCase{"WithVertex", "PG028",
                   "[numthreads(1, 1, 1)] void cs() {} float4 vs(float4 p : POSITION) : POSITION { return p; }" +
-                      pass("VertexShader = compile vs_3_0 vs(); ComputeShader = @compile cs_5_0 cs();"),
+                      passed("VertexShader = compile vs_3_0 vs(); ComputeShader = @compile cs_5_0 cs();"),
                   "has a ComputeShader and a VertexShader"},
         ErrorCase{"WithPixel", "PG028",
                   "[numthreads(1, 1, 1)] void cs() {} float4 ps() : COLOR { return 1; }" +
-                      pass("ComputeShader = @compile cs_5_0 cs(); PixelShader = compile ps_3_0 ps();"),
+                      passed("ComputeShader = @compile cs_5_0 cs(); PixelShader = compile ps_3_0 ps();"),
                   "has a ComputeShader and a PixelShader"},
-        ErrorCase{"Assembly", "PG026", pass("ComputeShader = @asm { };"), "is not supported"},
+        ErrorCase{"Assembly", "PG026", passed("ComputeShader = @asm { };"), "is not supported"},
         ErrorCase{"AtFileScope", "PG022", "@ComputeShader c = compile cs_5_0 cs();" + plain_pass,
                   "write the `compile` into the pass"}),
     [](const auto& error) { return std::string(error.param.name); });

@@ -1,11 +1,12 @@
 // The rays that raycast.fx follows, and the outline that it is drawn over.
+#include "raycast/view_rays.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "raycast/outline.h"
-#include "raycast/view_rays.h"
 
 namespace tyndall {
 namespace {
@@ -109,8 +110,7 @@ TEST(Outline, IsTheConvexHullOfTheCorners) {
 TEST(Outline, StaysInThePicture) {
     const View view = perspectiveView(glm::dmat4(1.0), 1.2, 1.0, 0.1, 50.0);
     std::array<glm::dvec3, 8> corners;
-    for (std::size_t i = 0; i < 8; ++i)
-        corners[i] = {i & 1 ? 5.0 : -5.0, i & 2 ? 5.0 : -5.0, i & 4 ? -3.0 : -2.0};
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = {i & 1 ? 5.0 : -5.0, i & 2 ? 5.0 : -5.0, i & 4 ? -3.0 : -2.0};
     std::vector<glm::dvec2> outline, picture;
     appendOutline(outline, hexahedron(corners), view, 1e-3);
     appendPicture(picture);

@@ -111,5 +111,47 @@ TEST_P(RaycastHardView, IsTheIntegral) {
     }
 }
 
+// A torch: the eye at the lamp.
+Drawing torch(double near, double far, TermSet terms) {
+    Shot shot = seenFrom(lampAt, lampDirection);
+    shot.light.nearPlane = near;
+    shot.light.farPlane = far;
+    shot.light.ambient = 1.0;
+    shot.light.albedo.reset();
+    shot.shadowBias = 0.0;
+    shot.shadowMap = constantTexture(8, 8, {0.0f});
+    shot.eye.nearPlane = near;
+    shot.eye.farPlane = 10.0 * far;
+    DrawOptions options;
+    options.method = Method::Raycast;
+    options.terms = terms;
+    return draw(withTerms(shot, terms), options);
+}
+
+class RaycastTorch : public GpuTest {};
+
+// Along each ray from the lamp the slide and the angle of scattering are the same at all depths. So they are a factor,
+// whatever the depths; the reference is no help, because its quadrature fails over fifteen orders of magnitude.
+TEST_F(RaycastTorch, ShowsItsSlideAtEveryDepth) {
+    const TermSet masks = TermSet::all();
+    std::vector<double> factors;
+    for (const auto& [near, far] : {std::pair(0.4, 4.5), std::pair(1e-3, 1e4), std::pair(1e-6, 1e9)}) {
+        const Drawing plain = torch(near, far, {}), masked = torch(near, far, masks);
+        ASSERT_EQ(whyNotFinite(plain.sum) + whyNotFinite(masked.sum), "");
+        ASSERT_GT(litPixels(masked.sum), 200);
+        std::size_t i = 0;
+        for (std::size_t pixel = 0; pixel < plain.sum.pixels.size(); ++pixel) {
+            const double a = static_cast<double>(plain.sum.pixels[pixel][0]);
+            const double b = static_cast<double>(masked.sum.pixels[pixel][0]);
+            const double factor = a > 0.0 ? b / a : 0.0;
+            if (near == 0.4)
+                factors.push_back(factor);
+            else
+                EXPECT_NEAR(factor, factors[i], 1e-4 * factors[i]) << pixel << " from " << near;
+            ++i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace tyndall::test

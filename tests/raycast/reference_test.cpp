@@ -67,6 +67,37 @@ TEST_F(RaycastShaders, FrozenAndSpecializedDrawTheSamePicture) {
     }
 }
 
+// Computed by threads or drawn by fragments, a ray is the same arithmetic. Twice the light in two parts: the second
+// adds to the first.
+TEST_F(RaycastShaders, ComputedAndDrawnRaysAgree) {
+    for (const Accumulation accumulation : {Accumulation::Rgba32f, Accumulation::Rgba16f})
+        for (const TermSet terms :
+             {TermSet{}, TermSet{Term::Shadow}, TermSet{Term::Noise, Term::Cookie}, TermSet::all()}) {
+            DrawOptions options;
+            options.method = Method::Raycast;
+            options.terms = terms;
+            options.accumulation = accumulation;
+            options.change = [](Plan& plan) {
+                plan.parts.push_back(plan.parts.at(0));
+                ++plan.groups.at(0).parts;
+            };
+            const Drawing once = draw(withTerms(sideView(), terms), options);
+            options.storage = true;
+            const Drawing computed = draw(withTerms(sideView(), terms), options);
+            EXPECT_GT(litPixels(computed.sum), 500);
+            EXPECT_EQ(computed.counters.draws, once.counters.draws);
+            double worst = 0.0;
+            for (std::size_t i = 0; i < once.sum.pixels.size(); ++i)
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double a = static_cast<double>(once.sum.pixels[i][c]);
+                    const double b = static_cast<double>(computed.sum.pixels[i][c]);
+                    if (a != b) worst = std::max(worst, std::abs(a - b) / std::max(a, b));
+                }
+            // One rounding of the target's format, of either of the two parts.
+            EXPECT_LE(worst, accumulation == Accumulation::Rgba32f ? 1e-6 : 1.1 / 1024.0) << techniqueName(terms);
+        }
+}
+
 // A routed target's four channels hold a quarter each of one grey value.
 TEST_F(RaycastShaders, RoutedChannelsAddUpToTheGreyValue) {
     Shot shot = sideView();

@@ -167,9 +167,11 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
     const Texture depthTexels =
         shot.sceneDepth.texels.empty() ? constantTexture(shot.width, shot.height, {0.0f}) : shot.sceneDepth;
     const headless::Image depth = uploadTexture(depthTexels, true, VK_IMAGE_LAYOUT_DEPTH_READ_ONLY_OPTIMAL);
-    const headless::Image sum = colourTarget(
-        shot, accumulationFormat(options.accumulation),
-        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, "sum");
+    const headless::Image sum = colourTarget(shot, accumulationFormat(options.accumulation),
+                                             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                                 VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                                 (options.storage ? VkImageUsageFlags{VK_IMAGE_USAGE_STORAGE_BIT} : 0u),
+                                             "sum");
     const headless::Image colour = colourTarget(
         shot, kPictureFormat,
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
@@ -178,6 +180,7 @@ Drawing draw(const Shot& shot, const DrawOptions& options) {
     targets.extent = sum.extent();
     targets.accumulation = sum.handle();
     targets.accumulationView = sum.view();
+    targets.storage = options.storage;
     targets.depth = depth.view();
     targets.depthFormat = depth.format();
     targets.colour = colour.view();

@@ -16,6 +16,7 @@ namespace tyndall::test {
 
 struct DrawOptions {
     Method method = Method::Slices;
+    bool storage = false;  ///< ShaftTargets::storage
     Geometry geometry = Geometry::ExactPolygons;
     Accumulation accumulation = Accumulation::Rgba32f;
     double range = 1.0;                         ///< PlanOptions::range

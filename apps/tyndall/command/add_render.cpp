@@ -11,8 +11,8 @@ namespace {
 
 void addShafts(CLI::App& app, ViewOptions& view, ShaftOptions& shafts, SliceCount& slices) {
     addChoice(app, "--layer", view.layer, layerWords, "what to draw");
-    addChoice(app, "--method", shafts.plan.method, methodWords, "the way to the shafts");
-    addTechnique(app, shafts.plan.terms, "technique of slices.fx for every light");
+    addChoice(app, "--method", shafts.plan.method, methodWords, "how shafts are computed");
+    addTechnique(app, shafts.plan.terms, "technique for every light, by its name in slices.fx");
     addChoice(app, "--accum", shafts.plan.accumulation, accumulationWords, "where slices are added up");
     addOptional(app, "--planes", slices.planes, "N", "number of equal slices a light, 1 to 65536; as many as needed");
     addOptional(app, "--max-slices", slices.maxSlices, "N",

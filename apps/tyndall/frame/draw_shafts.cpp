@@ -29,6 +29,7 @@ Result<void> drawShafts(const headless::Device& device, Renderer& renderer, Fram
     const ShaftTargets shafts{.extent = targets.colour.extent(),
                               .accumulation = targets.accumulation.handle(),
                               .accumulationView = targets.accumulation.view(),
+                              .storage = targets.storage,
                               .depth = targets.depth.view(),
                               .depthFormat = depthFormat,
                               .colour = targets.colour.view(),

@@ -29,9 +29,16 @@ Result<void> fit(const headless::Device& device, FrameTargets& targets, Size siz
         "scene depth");
 }
 
-Result<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, Accumulation accumulation) {
-    return make(device, targets.accumulation, targets.colour.extent(), accumulationFormat(accumulation),
-                VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, "accumulated slices");
+Result<void> fitAccumulation(const headless::Device& device, FrameTargets& targets, const PlanOptions& options) {
+    // Slices do without: the usage may cost bandwidth.
+    const bool storage = options.method == Method::Raycast && (options.accumulation == Accumulation::Rgba16f ||
+                                                               options.accumulation == Accumulation::Rgba32f);
+    if (storage != targets.storage) targets.accumulation = {};
+    targets.storage = storage;
+    return make(device, targets.accumulation, targets.colour.extent(), accumulationFormat(options.accumulation),
+                VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                    (storage ? VkImageUsageFlags{VK_IMAGE_USAGE_STORAGE_BIT} : 0u),
+                "accumulated shafts");
 }
 
 }  // namespace tyndall::app

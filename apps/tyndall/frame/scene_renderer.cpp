@@ -119,7 +119,8 @@ Result<void> SceneRenderer::preparePipelines(const Plan& plan) {
                                               .accumulation = plan.accumulation,
                                               .depthFormat = depthFormat,
                                               .colourFormat = colourFormat,
-                                              .blur = isBlurred(plan)},
+                                              .blur = isBlurred(plan),
+                                              .storage = targets_.storage},
                                              onAllCores),
                            "the shafts");
     frame_.pipelines += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -138,7 +139,7 @@ Result<void> SceneRenderer::drawPlanned(PlannedScene& planned, const ShaftOption
         !drawn)
         return drawn;
     if (planned.plan.groups.empty()) return {};
-    if (auto fitted = fitAccumulation(*device_, targets_, shafts.plan.accumulation); !fitted) return fitted;
+    if (auto fitted = fitAccumulation(*device_, targets_, shafts.plan); !fitted) return fitted;
     const std::vector<LightTextures> textures = texturesOf(planned, maps_, gpu_);
     if (auto prepared = preparePipelines(planned.plan); !prepared) return prepared;
     const std::uint64_t uploaded = renderer_.counters().bytesUploaded;

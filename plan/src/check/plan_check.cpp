@@ -87,7 +87,8 @@ Result<void> checkOptions(const PlanOptions& options) {
         {"shadowBias", options.shadowBias, 0.0, farthest, "from 0 to 1e9 m", "a centimetre is a good start"},
     };
     if (const Result<void> checked = checkBounds({place}, bounds); !checked) return checked;
-    if (options.accumulation == Accumulation::Rgba8Routed && options.slices % 4 != 0)
+    if (options.method == Method::Slices && options.accumulation == Accumulation::Rgba8Routed &&
+        options.slices % 4 != 0)
         return broken(place + ": slices is " + std::to_string(options.slices) +
                       ": it must be a multiple of 4 where slices are routed into four channels; take " +
                       std::to_string(options.slices / 4 * 4 + 4) + ", or another accumulation format");

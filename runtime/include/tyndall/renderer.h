@@ -40,8 +40,13 @@ struct ShaftTargets {
     VkExtent2D extent{};
     VkImage accumulation = VK_NULL_HANDLE;  ///< of accumulationFormat(), usage COLOR_ATTACHMENT | SAMPLED
     VkImageView accumulationView = VK_NULL_HANDLE;
+    bool storage = false;  ///< the accumulation image also has the usage STORAGE: in the two float formats
+                           ///< Method::Raycast then computes instead of drawing, which some devices do many times
+                           ///< faster. The command buffer's queue must compute, and the barriers before record() must
+                           ///< cover compute shaders
     VkImageView depth = VK_NULL_HANDLE;  ///< the scene's, read only, layout DEPTH_READ_ONLY_OPTIMAL (both
-                                         ///< tested against and sampled by the blur); usage
+                                         ///< tested against and sampled: by the blur, and by Method::Raycast, whose
+                                         ///< fragment or compute shader reads it); usage
                                          ///< DEPTH_STENCIL_ATTACHMENT | SAMPLED. Null: no surface hides the shafts, and
                                          ///< there is no blur
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
@@ -83,6 +88,7 @@ struct PipelineNeeds {
     VkFormat colourFormat = VK_FORMAT_UNDEFINED;  ///< as in ShaftTargets; UNDEFINED: nothing is composited
     bool blur = false;
     VkFormat shadowMapFormat = VK_FORMAT_UNDEFINED;  ///< UNDEFINED: no shadow map is drawn
+    bool storage = false;                            ///< as in ShaftTargets
 };
 
 /// Counters of one Renderer since its creation.
