@@ -1,4 +1,4 @@
-// Adds the slices of a group's lights up in the accumulation target.
+// Adds a group's lights up in the accumulation target: slices and rays that are drawn, then rays that are computed.
 #include <tyndall/barriers.h>
 #include <tyndall/rendering.h>
 
@@ -171,7 +171,7 @@ void endAccumulation(VkCommandBuffer commands, const ShaftTargets& targets, bool
     recordBarrier(commands, barrier);
 }
 
-/// With resolved images, the only possible error is a new resource in slices.fx.
+/// With resolved images, the only possible error is a new resource in an effect.
 Result<void> drawLights(Renderer::Impl& impl, VkCommandBuffer commands) {
     VkPipeline bound = VK_NULL_HANDLE;
     for (const Renderer::Impl::PartDraw& draw : impl.draws) {

@@ -20,7 +20,7 @@ KILLERS = HERE / "hlsl_killers.json"
 # Then the tests that are likely to detect the fault, then all that draw. Goldens are left out: they detect every
 # change, and the question here is whether laws and oracles do.
 LAWS = ("permutation", "*OrientationTest*:*LawTest*:*MaskTest*/clip_noise_shadow_cookie_technique*")
-RAYS = ("raycast", "*RaycastLaw*:*RaycastReferenceTest*_side:*RaycastHardView*")
+RAYS = ("raycast", "FloatForms.*:RaycastLaw.*:*RaycastReferenceTest*:RaycastTorch.*:*RaycastHardView*:RaycastShaders.*")
 ORACLE = ("permutation", "*TechniqueTest*/clip_noise_shadow_cookie_technique")
 LIKELY = {
     "shaders/slices.fx": [LAWS, ORACLE, ("permutation", "*FormatTest*"), ("record", "*")],
