@@ -74,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
         ErrorCase{"ComputeInPixel", "PG024", passed("PixelShader = compile @cs_5_0 ps();"), "; write ps_3_0"},
         ErrorCase{"ComputeInVertex", "PG024", passed("VertexShader = compile @cs_4_0 vs();"), "; write vs_3_0"},
         ErrorCase{"Typo", "PG024", passed("ComputeShader = compile @cz_5_0 cs();"), "; did you mean 'cs_5_0'?"},
-        ErrorCase{"Twice", "PG025", passed("ComputeShader = compile cs_5_0 cs(); @ComputeShader = compile cs_5_0 cs();"),
+        ErrorCase{"Twice", "PG025",
+                  passed("ComputeShader = compile cs_5_0 cs(); @ComputeShader = compile cs_5_0 cs();"),
                   "sets ComputeShader twice"},
         ErrorCase{"WithVertex", "PG028",
                   "[numthreads(1, 1, 1)] void cs() {} float4 vs(float4 p : POSITION) : POSITION { return p; }" +
