@@ -88,7 +88,7 @@ Result<void> resolve(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& p
         if (auto checked = checkPart(plan, part, textures.size()); !checked) return checked;
         if (part.terms != terms || part.method != method || !pipeline.handle) {
             const auto made =
-                isComputed(plan, part, targets)
+                isComputed(part.method, plan.accumulation, targets.storage)
                     ? raysPipeline(impl, plan.accumulation, part.terms)
                     : pipelineFor(impl.gpu, impl.pipelines, shaftPipeline(impl, part.method, part.terms, target),
                                   impl.counters.pipelinesCreated);
@@ -101,7 +101,7 @@ Result<void> resolve(Renderer::Impl& impl, FrameData::Impl& frame, const Plan& p
         Renderer::Impl::PartDraw draw;
         draw.part = &part;
         draw.pipeline = pipeline;
-        draw.computed = isComputed(plan, part, targets);
+        draw.computed = isComputed(part.method, plan.accumulation, targets.storage);
         const auto constants = constantsOf(impl, frame, plan, part, given, targets, draw);
         if (!constants) return tl::unexpected(constants.error());
         draw.constants = *constants;

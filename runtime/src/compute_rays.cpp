@@ -34,9 +34,9 @@ void waitForPart(VkCommandBuffer commands) {
 
 }  // namespace
 
-bool isComputed(const Plan& plan, const PlannedPart& part, const ShaftTargets& targets) {
-    return part.method == Method::Raycast && targets.storage &&
-           (plan.accumulation == Accumulation::Rgba16f || plan.accumulation == Accumulation::Rgba32f);
+bool isComputed(Method method, Accumulation accumulation, bool storage) {
+    return method == Method::Raycast && storage &&
+           (accumulation == Accumulation::Rgba16f || accumulation == Accumulation::Rgba32f);
 }
 
 Result<PassPipeline> raysPipeline(Renderer::Impl& impl, Accumulation accumulation, TermSet terms) {

@@ -13,8 +13,9 @@ struct ComputedRays {
     glm::vec4 tile;
 };
 
-/// Whether the part's rays are computed: the accumulation image is a storage image of a format that the shader has.
-bool isComputed(const Plan& plan, const PlannedPart& part, const ShaftTargets& targets);
+/// Whether parts with this method are computed: the accumulation image is a storage image (ShaftTargets::storage) of a
+/// format that the shader has.
+bool isComputed(Method method, Accumulation accumulation, bool storage);
 
 /// The pipeline of the part's terms for that format; made on first use.
 Result<PassPipeline> raysPipeline(Renderer::Impl& impl, Accumulation accumulation, TermSet terms);

@@ -8,8 +8,7 @@ Result<void> Renderer::prepare(const PipelineNeeds& needs, const ParallelFor& pa
     Impl& impl = *impl_;
     std::vector<PipelineRequest> requests;
     const PassTarget target = accumulationTarget(needs.accumulation, needs.depthFormat, needs.depthCompare);
-    const bool computed = needs.method == Method::Raycast && needs.storage &&
-                          (needs.accumulation == Accumulation::Rgba16f || needs.accumulation == Accumulation::Rgba32f);
+    const bool computed = isComputed(needs.method, needs.accumulation, needs.storage);
     for (const TermSet terms : needs.terms) {
         if (!computed) {
             requests.push_back(shaftPipeline(impl, needs.method, terms, target));
