@@ -1,6 +1,6 @@
 // The renderer's calls to Vulkan. lavapipe runs everything in order and the validation layers of Vulkan 1.3.239 do not
 // follow dynamic rendering, so neither detects a missing barrier; an unnecessary allocation only costs frame time. This
-// is a separate program, because it replaces three of Vulkan's functions.
+// is a separate program, because it replaces four of Vulkan's functions.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,9 +10,9 @@
 namespace tyndall::test {
 namespace {
 
-/// A barrier, or the beginning of a pass.
+/// A barrier, the beginning of a pass, or a dispatch.
 struct Event {
-    bool pass = false;
+    bool pass = false, dispatch = false;
     VkImageView target = VK_NULL_HANDLE;  ///< of a pass
     VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
     VkImage image = VK_NULL_HANDLE;  ///< of a barrier; null: of all memory
@@ -58,6 +58,12 @@ extern "C" VKAPI_ATTR void VKAPI_CALL vkCmdBeginRendering(VkCommandBuffer comman
     deviceFunction<PFN_vkCmdBeginRendering>(gpu().device.device(), "vkCmdBeginRendering")(commands, info);
 }
 
+extern "C" VKAPI_ATTR void VKAPI_CALL vkCmdDispatch(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y,
+                                                    std::uint32_t z) {
+    events.push_back({.dispatch = true});
+    deviceFunction<PFN_vkCmdDispatch>(gpu().device.device(), "vkCmdDispatch")(commands, x, y, z);
+}
+
 extern "C" VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
                                                            const VkAllocationCallbacks* callbacks,
                                                            VkDeviceMemory* memory) {
@@ -81,7 +87,7 @@ bool holds(Flags all, Flags wanted) {
 bool waits(std::size_t from, std::size_t to, const Event& wanted) {
     for (std::size_t i = from; i < to; ++i) {
         const Event& event = events[i];
-        if (!event.pass && event.image == wanted.image && holds(event.before, wanted.before) &&
+        if (!event.pass && !event.dispatch && event.image == wanted.image && holds(event.before, wanted.before) &&
             holds(event.after, wanted.after) && holds(event.written, wanted.written) &&
             holds(event.visible, wanted.visible) && event.layout == wanted.layout)
             return true;
@@ -90,6 +96,62 @@ bool waits(std::size_t from, std::size_t to, const Event& wanted) {
 }
 
 using RecordCalls = GpuTest;
+
+// Each light's dispatch adds to what the one before it wrote; the first adds to the cleared image, and the composite
+// reads the last one's.
+TEST_F(RecordCalls, EveryDispatchOfRaysWaitsForTheOneBefore) {
+    constexpr VkPipelineStageFlags2 compute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr VkAccessFlags2 write = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    constexpr VkAccessFlags2 add = VK_ACCESS_2_SHADER_STORAGE_READ_BIT | write;
+    Stage stage({48, 32}, Accumulation::Rgba32f);
+    const headless::Image sum = makeImage(
+        {48, 32}, VK_FORMAT_R32G32B32A32_SFLOAT,
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT, "sum of rays");
+    const std::array lights{lamp(), lamp(), lamp()};
+    PlanOptions options;
+    options.method = Method::Raycast;
+    options.accumulation = Accumulation::Rgba32f;
+    const Plan plan = must(tyndall::plan(lights, eye(stage), options));
+    ASSERT_EQ(plan.parts.size(), 3u);
+    std::array<LightTextures, 3> textures{};
+    for (LightTextures& each : textures) each.cookieSize = each.noiseSize = {1, 1};
+    FrameData frame;
+    must(gpu().frozen.upload(frame, plan));
+    ShaftTargets targets = stage.targets();
+    targets.accumulation = sum.handle();
+    targets.accumulationView = sum.view();
+    targets.storage = true;
+    events.clear();
+    run([&](VkCommandBuffer commands) {
+        events.clear();  // drops the caller's own calls
+        return gpu().frozen.record(commands, frame, plan, textures, targets);
+    });
+
+    std::vector<std::size_t> dispatches, passes;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        if (events[i].dispatch) dispatches.push_back(i);
+        if (events[i].pass) passes.push_back(i);
+    }
+    ASSERT_EQ(dispatches.size(), 3u);
+    ASSERT_EQ(passes.size(), 2u);
+    EXPECT_TRUE(waits(passes[0], dispatches[0],
+                      {.image = sum.handle(),
+                       .before = kOutput,
+                       .after = compute,
+                       .written = kWrite,
+                       .visible = add,
+                       .layout = VK_IMAGE_LAYOUT_GENERAL}));
+    for (std::size_t i = 1; i < dispatches.size(); ++i)
+        EXPECT_TRUE(waits(dispatches[i - 1], dispatches[i],
+                          {.before = compute, .after = compute, .written = write, .visible = add}));
+    EXPECT_TRUE(waits(dispatches[2], passes[1],
+                      {.image = sum.handle(),
+                       .before = compute,
+                       .after = kFragment,
+                       .written = write,
+                       .visible = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+                       .layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}));
+}
 
 TEST_F(RecordCalls, EveryPassWaitsForWhatItReadsOrAddsTo) {
     Stage stage({48, 32}, Accumulation::Rgba8Routed);
